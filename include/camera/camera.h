@@ -1,0 +1,53 @@
+// Camera: turns a place on the image into a ray in world space with a unit direction.
+#pragma once
+#include "geometry/ray.h"
+#include "math/vec2.h"
+
+class Camera {
+ public:
+  virtual ~Camera() = default;
+
+  /// The ray through image point (x, y); both run over [-0.5, 0.5] along the longer side of the
+  /// image, x to the right and y up.
+  virtual Ray generateRay(const Vec2d& point) const = 0;
+
+  /// The least t at which the camera sees.
+  virtual double getTMin() const = 0;
+
+  const Vec3d& getCenter() const { return center_; }
+  const Vec3d& getDirection() const { return direction_; }
+
+ protected:
+  /// `up` need not be perpendicular to `direction`, but must not be parallel to it; neither may be
+  /// zero. The frame is direction d normalised, right = normalize(d x up), true up = right x d.
+  Camera(const Vec3d& center, const Vec3d& direction, const Vec3d& up);
+
+  Vec3d center_, direction_, right_, up_;
+};
+
+/// Parallel rays; sees behind its centre too.
+class OrthographicCamera : public Camera {
+ public:
+  /// `size` is the world length of the longer side of the image.
+  OrthographicCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double size)
+      : Camera(center, direction, up), size_(size) {}
+
+  Ray generateRay(const Vec2d& point) const override;
+  double getTMin() const override;
+
+ private:
+  double size_;
+};
+
+/// Rays from one point.
+class PerspectiveCamera : public Camera {
+ public:
+  /// `angle` is the opening angle along the longer side of the image, in radians, 0 < angle < pi.
+  PerspectiveCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double angle);
+
+  Ray generateRay(const Vec2d& point) const override;
+  double getTMin() const override { return 0; }
+
+ private:
+  double spread_;  // 2 tan(angle / 2): the image's longer side at distance 1
+};

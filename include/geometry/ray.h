@@ -1,0 +1,45 @@
+// Ray: an origin, a direction, and the surface that it leaves, if any.
+// The direction need not be a unit vector: a Transform hands its child a ray whose parameter t is
+// still the world's t. Only rays made by a camera or a surface have unit directions.
+#pragma once
+#include <cstdint>
+
+#include "math/vec3.h"
+
+class Object3D;
+
+class Ray {
+ public:
+  Ray() = default;
+  Ray(const Vec3d& origin, const Vec3d& direction) : origin_(origin), direction_(direction) {}
+
+  const Vec3d& getOrigin() const { return origin_; }
+  const Vec3d& getDirection() const { return direction_; }
+  Vec3d pointAtParameter(double t) const { return origin_ + direction_ * t; }
+
+  /// Says that the ray starts on part `part` of `surface`. A flat part is then never hit by this
+  /// ray, and a sphere only where the ray comes out on its other side: rounding in the origin
+  /// cannot make a ray meet the surface it leaves.
+  void setSource(const Object3D* surface, std::uint32_t part) {
+    source_ = surface;
+    sourcePart_ = part;
+  }
+  const Object3D* getSource() const { return source_; }
+  std::uint32_t getSourcePart() const { return sourcePart_; }
+  bool leaves(const Object3D* surface, std::uint32_t part = 0) const {
+    return source_ == surface && sourcePart_ == part;
+  }
+
+  /// The same ray seen from another space: new origin and direction, same source.
+  Ray moved(const Vec3d& origin, const Vec3d& direction) const {
+    Ray ray = *this;
+    ray.origin_ = origin;
+    ray.direction_ = direction;
+    return ray;
+  }
+
+ private:
+  Vec3d origin_, direction_;
+  const Object3D* source_ = nullptr;  // not owned
+  std::uint32_t sourcePart_ = 0;
+};

@@ -1,0 +1,33 @@
+// Sphere: a closed ball's surface. Its normal points outwards.
+#pragma once
+#include "geometry/object3d.h"
+
+class Sphere : public Object3D {
+ public:
+  /// radius > 0, in the units of the space the sphere stands in. The material is not owned.
+  Sphere(const Vec3d& center, double radius, const Material* material)
+      : center_(center), radius_(radius), material_(material) {}
+
+  const Vec3d& getCenter() const { return center_; }
+  double getRadius() const { return radius_; }
+  const Material* getMaterial() const { return material_; }
+
+  /// Finds the least t with tmin < t < tmax at which the ray meets the sphere; on success stores
+  /// it in `t`. This is the one function that decides a sphere hit, on every path.
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
+  /// Records in `hit` what lies at parameter t of the ray, a root that nearestRoot gave.
+  void setHit(const Ray& ray, double t, Hit& hit) const;
+
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
+  bool occluded(const Ray& ray, double tmin, double tmax) const override;
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
+  bool isBounded() const override { return true; }
+
+ private:
+  bool roots(const Ray& ray, double& middle, double& half) const;
+
+  Vec3d center_;
+  double radius_;
+  const Material* material_;  // not owned
+};

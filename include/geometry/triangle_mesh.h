@@ -1,0 +1,30 @@
+// TriangleMesh: triangles of one material. Parts of a hit are numbered as its faces.
+#pragma once
+#include "geometry/mesh_geometry.h"
+#include "geometry/object3d.h"
+
+class TriangleMesh : public Object3D {
+ public:
+  /// Neither the geometry nor the material is owned; several meshes may share a geometry.
+  TriangleMesh(const MeshGeometry* geometry, const Material* material)
+      : geometry_(geometry), material_(material) {}
+
+  const MeshGeometry& getGeometry() const { return *geometry_; }
+  const Material* getMaterial() const { return material_; }
+
+  /// Like Sphere::nearestRoot, for one face.
+  bool nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax, double& t) const;
+  void setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const;
+  /// Reports the crossing with one face, if there is one at t > 0.
+  void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const;
+
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
+  bool occluded(const Ray& ray, double tmin, double tmax) const override;
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
+  bool isBounded() const override { return true; }
+
+ private:
+  const MeshGeometry* geometry_;  // not owned
+  const Material* material_;      // not owned
+};

@@ -1,0 +1,34 @@
+// pow, sin, cos, tan, exp, log of our own: the same bits on every processor and C library.
+// They use only + - * / and integer arithmetic on the bits, each of which IEEE 754 fixes.
+#pragma once
+
+namespace math {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// Radians from degrees.
+constexpr double radians(double degrees) { return degrees * (kPi / 180); }
+
+/// Natural logarithm, error below 2 ulp. log(0) is -infinity, of a negative number or NaN NaN.
+double log(double x);
+
+/// e^x, error below 2 ulp. Overflows to infinity above 709.78, underflows to 0 below -745.13.
+double exp(double x);
+
+/// x^y for x >= 0, relative error below 4e-16 (1 + |y ln x|). pow(x, 0) and pow(1, y) are 1;
+/// pow(0, y) is 0 for y > 0 and infinity for y < 0. A negative x or a NaN gives NaN.
+double pow(double x, double y);
+
+/// Sine and cosine of an angle in radians, absolute error below 2e-16 up to |x| = 1e5 and
+/// growing as |x| 1e-21 beyond; infinities and NaN give NaN.
+double sin(double x);
+double cos(double x);
+
+/// Tangent of an angle in radians: sin(x) / cos(x).
+double tan(double x);
+
+/// Sine and cosine of an angle in degrees, exact (0, 1, -1) at multiples of 90.
+double sinDegrees(double degrees);
+double cosDegrees(double degrees);
+
+}  // namespace math

@@ -1,0 +1,106 @@
+// Vec3: a point, a direction, a normal or a colour, three components of one type.
+// Convention: Vec3f holds colours, Vec3d holds geometry. Widening is implicit, narrowing is not.
+#pragma once
+#include <cassert>
+#include <cmath>
+#include <type_traits>
+
+template <class T>
+class Vec3 {
+ public:
+  constexpr Vec3() : v_{0, 0, 0} {}
+  constexpr Vec3(T x, T y, T z) : v_{x, y, z} {}
+
+  /// Widening (float to double) is exact and implicit.
+  template <class U, std::enable_if_t<(sizeof(U) < sizeof(T)), int> = 0>
+  constexpr Vec3(const Vec3<U>& other) : v_{T(other.x()), T(other.y()), T(other.z())} {}
+  /// Narrowing (double to float) rounds each component to nearest and must be asked for.
+  template <class U, std::enable_if_t<(sizeof(U) > sizeof(T)), int> = 0>
+  constexpr explicit Vec3(const Vec3<U>& other) : v_{T(other.x()), T(other.y()), T(other.z())} {}
+
+  constexpr T x() const { return v_[0]; }
+  constexpr T y() const { return v_[1]; }
+  constexpr T z() const { return v_[2]; }
+  constexpr T r() const { return v_[0]; }
+  constexpr T g() const { return v_[1]; }
+  constexpr T b() const { return v_[2]; }
+  /// Component `axis`: 0 is x, 1 is y, 2 is z; anything else is the caller's mistake.
+  constexpr T operator[](int axis) const {
+    assert(axis >= 0 && axis < 3);
+    return v_[axis];
+  }
+  constexpr T& operator[](int axis) {
+    assert(axis >= 0 && axis < 3);
+    return v_[axis];
+  }
+
+  constexpr Vec3& operator+=(const Vec3& o) { return *this = *this + o; }
+  constexpr Vec3& operator-=(const Vec3& o) { return *this = *this - o; }
+  constexpr Vec3& operator*=(const Vec3& o) { return *this = *this * o; }
+  constexpr Vec3& operator*=(T s) { return *this = *this * s; }
+
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+    return {a.x() + b.x(), a.y() + b.y(), a.z() + b.z()};
+  }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
+    return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
+  }
+  friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x(), -a.y(), -a.z()}; }
+  /// Componentwise, as colours are filtered. The scalar product is dot().
+  friend constexpr Vec3 operator*(const Vec3& a, const Vec3& b) {
+    return {a.x() * b.x(), a.y() * b.y(), a.z() * b.z()};
+  }
+  friend constexpr Vec3 operator*(const Vec3& a, T s) { return {a.x() * s, a.y() * s, a.z() * s}; }
+  friend constexpr Vec3 operator*(T s, const Vec3& a) { return a * s; }
+  friend constexpr Vec3 operator/(const Vec3& a, T s) { return {a.x() / s, a.y() / s, a.z() / s}; }
+  friend constexpr bool operator==(const Vec3& a, const Vec3& b) {
+    return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+  }
+  friend constexpr bool operator!=(const Vec3& a, const Vec3& b) { return !(a == b); }
+
+ private:
+  T v_[3];
+};
+
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+
+template <class T>
+constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+/// Right-handed cross product. cross(b, a) is exactly -cross(a, b), bit for bit, which the
+/// triangle test relies on.
+template <class T>
+constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
+          a.x() * b.y() - a.y() * b.x()};
+}
+
+/// Euclidean length; 0 for the zero vector. Components beyond the square root of the type's
+/// range overflow to infinity.
+template <class T>
+T length(const Vec3<T>& a) {
+  return std::sqrt(dot(a, a));
+}
+
+/// The unit vector along `a`. A zero vector gives NaNs: callers rule it out first.
+template <class T>
+Vec3<T> normalize(const Vec3<T>& a) {
+  return a / length(a);
+}
+
+/// The largest absolute component; 0 only for the zero vector.
+template <class T>
+constexpr T maxAbs(const Vec3<T>& a) {
+  T m = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const T c = a[axis] < 0 ? -a[axis] : a[axis];
+    if (c > m) m = c;
+  }
+  return m;
+}
+
+/// True when any component is greater than 0: such a colour reflects or lets something through.
+constexpr bool anyPositive(const Vec3f& c) { return c.r() > 0 || c.g() > 0 || c.b() > 0; }

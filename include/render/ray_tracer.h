@@ -1,0 +1,43 @@
+// RayTracer: the colour of a ray. Reads like the assignment: ambient + lights + mirror +
+// transmitted. A small value: every worker thread has a copy of its own.
+#pragma once
+#include "geometry/object3d.h"
+#include "render/render_options.h"
+#include "scene/scene_parser.h"
+
+class RayTracer {
+ public:
+  /// The assignment's tracer: asks the scene's own group, with shadows and default options. The
+  /// scene is not owned and must outlive the tracer.
+  RayTracer(SceneParser* s, int max_bounces, float min_weight);
+  /// Asks `geometry` (a compiled scene, or the scene's group) what a ray hits. Neither is owned.
+  RayTracer(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options);
+
+  /// The colour that arrives along `ray` from the nearest surface with t > tmin, or the background.
+  /// `bounces` secondary rays came before this one (0 for an eye ray), `weight` is the part that
+  /// its colour has in the pixel (1 for an eye ray), `indexOfRefraction` that of the medium it
+  /// travels in. On return `hit` holds what was hit; it is best passed in fresh.
+  Vec3f traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
+                 Hit& hit) const;
+
+  /// The second half of traceRay: the colour of a surface that is known to be hit.
+  Vec3f shade(const Ray& ray, const Hit& hit, int bounces, float weight,
+              float indexOfRefraction) const;
+
+ private:
+  Vec3f ambient(const Hit& hit) const;
+  Vec3f lights(const Ray& ray, const Hit& hit) const;
+  Vec3f mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
+               float indexOfRefraction) const;
+  Vec3f transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const;
+
+  bool mayTrace(int bounces, float weight) const;
+  Vec3f arrivingLight(const Hit& hit, const Vec3d& dirToLight, const Vec3f& color,
+                      double distance) const;
+  Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
+  float epsilonAt(const Hit& hit) const;
+
+  const SceneParser* scene_;  // not owned
+  const Object3D* geometry_;  // not owned
+  RenderOptions options_;     // epsilon is never `automatic` here
+};

@@ -1,0 +1,64 @@
+// SceneParser: reads a scene file and owns everything in it: the one owner of the program.
+// Every other pointer to a camera, light, material, object or mesh is borrowed from here.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "camera/camera.h"
+#include "geometry/group.h"
+#include "geometry/mesh_geometry.h"
+#include "scene/input_error.h"
+#include "shading/light.h"
+#include "shading/material.h"
+
+class SceneParser {
+ public:
+  /// Reads `filename` ("-" is standard input) and the meshes it names. Throws InputError at the
+  /// first mistake.
+  explicit SceneParser(const char* filename);
+  ~SceneParser();
+  SceneParser(const SceneParser&) = delete;
+  SceneParser& operator=(const SceneParser&) = delete;
+
+  /// Reads everything and returns all mistakes that can be told apart, in file order; none if the
+  /// scene is good. Never throws for a mistake in the input.
+  static std::vector<InputError> check(const char* filename);
+
+  const Camera* getCamera() const { return camera_.get(); }
+  Vec3f getBackgroundColor() const { return backgroundColor_; }
+  /// White where the scene has no lights at all.
+  Vec3f getAmbientLight() const { return ambientLight_; }
+  int getNumLights() const { return int(lights_.size()); }
+  /// 0 <= i < getNumLights().
+  const Light* getLight(int i) const { return lights_[std::size_t(i)].get(); }
+  int getNumMaterials() const { return int(materials_.size()); }
+  /// 0 <= i < getNumMaterials(); materials written inside a Group come after the listed ones.
+  const Material* getMaterial(int i) const { return materials_[std::size_t(i)].get(); }
+  /// All objects of the scene: one Group that holds the file's top-level Groups in order.
+  const Group* getGroup() const { return &group_; }
+
+  /// What is legal but probably a mistake: "FILE:LINE: text" each, in file order.
+  const std::vector<std::string>& getWarnings() const { return warnings_; }
+
+  /// The longest side of the world box of all spheres and triangles; 0 where there are none.
+  double getSpan() const;
+
+  /// Finds out which meshes enclose a volume. Needed once, before rendering with
+  /// RenderOptions::transparentShadows; looks only at meshes of transparent material.
+  void findClosedMeshes();
+
+ private:
+  friend class SceneBuilder;  // fills the vectors below while reading
+  SceneParser() = default;    // empty, for check()
+
+  std::unique_ptr<Camera> camera_;
+  Vec3f backgroundColor_{0.5f, 0.5f, 0.5f};
+  Vec3f ambientLight_;
+  std::vector<std::unique_ptr<Light>> lights_;
+  std::vector<std::unique_ptr<Material>> materials_;
+  std::vector<std::unique_ptr<Object3D>> objects_;
+  std::vector<std::unique_ptr<MeshGeometry>> meshes_;
+  Group group_;
+  std::vector<std::string> warnings_;
+};
