@@ -1,6 +1,8 @@
 // Hit: the nearest surface found so far along a ray.
 // getT() is also the upper bound of the search: intersect() only reports what lies nearer.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -38,10 +40,13 @@ class Hit {
     normal_ = normal;
     point_ = ray.pointAtParameter(t);
   }
-  void setPrimitive(const Object3D* object, std::uint32_t part, double magnitude) {
+  /// Says which primitive it is, after set(). `extent` is the largest number that describes the
+  /// primitive (a coordinate, a radius, an offset), in the space of `ray`.
+  void setPrimitive(const Object3D* object, std::uint32_t part, const Ray& ray, double extent) {
     object_ = object;
     part_ = part;
-    magnitude_ = magnitude;
+    const double largest = std::max({extent, maxAbs(ray.getOrigin()), maxAbs(point_)});
+    magnitude_ = std::max(std::fabs(t_), largest / length(ray.getDirection()));
   }
   /// Restates the hit in the space of `ray`, where its unit normal is `normal`.
   void moveTo(const Ray& ray, const Vec3d& normal, double magnitude) {

@@ -6,6 +6,8 @@
 // So no ray passes between them. Source of the edge functions: Woop, Benthin and Wald, "Watertight
 // Ray/Triangle Intersection", 2013; here in double, without their shear.
 #pragma once
+#include <algorithm>
+
 #include "geometry/ray.h"
 
 namespace triangle {
@@ -13,6 +15,11 @@ namespace triangle {
 /// Twice the area times the normal; the side from which a, b, c run counter-clockwise.
 inline Vec3d areaNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return cross(b - a, c - a);
+}
+
+/// The largest coordinate of the three.
+inline double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return std::max({maxAbs(a), maxAbs(b), maxAbs(c)});
 }
 
 /// Finds where the ray meets triangle abc (either side); on success stores the parameter in `t`,

@@ -19,8 +19,8 @@ double exp(double x);
 /// pow(0, y) is 0 for y > 0 and infinity for y < 0. A negative x or a NaN gives NaN.
 double pow(double x, double y);
 
-/// Sine and cosine of an angle in radians, absolute error below 2e-16 up to |x| = 1e5 and
-/// growing as |x| 1e-21 beyond; infinities and NaN give NaN.
+/// Sine and cosine of an angle in radians, absolute error below 2.5e-16 up to |x| = 1e5 and below
+/// 1e-16 |x| beyond; infinities and NaN give NaN.
 double sin(double x);
 double cos(double x);
 

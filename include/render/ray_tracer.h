@@ -31,9 +31,8 @@ class RayTracer {
                float indexOfRefraction) const;
   Vec3f transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const;
 
-  bool mayTrace(int bounces, float weight) const;
-  Vec3f arrivingLight(const Hit& hit, const Vec3d& dirToLight, const Vec3f& color,
-                      double distance) const;
+  bool mayTrace(const Vec3f& color, int bounces, float weight) const;
+  Vec3f visibility(const Hit& hit, const Vec3d& dirToLight, double distance) const;
   Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
   float epsilonAt(const Hit& hit) const;
 

@@ -1,0 +1,13 @@
+// Worker threads with a stack of a stated size. Reading, building and tracing all share this.
+#pragma once
+#include <cstddef>
+#include <functional>
+
+/// How many threads the machine runs at once; at least 1.
+int hardwareThreads();
+
+/// Calls work(0) .. work(threads - 1), each on a thread of its own with at least `stackBytes` of
+/// stack, and returns when all have returned. threads >= 1; where the system gives fewer, the
+/// calls share those it gives. The first exception that any call throws is thrown again here,
+/// after all have ended; std::system_error where not even one thread can be had.
+void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work);

@@ -1,0 +1,26 @@
+// Camera: the frame that both kinds share, and their rays.
+#include "camera/camera.h"
+
+#include <limits>
+
+#include "math/functions.h"
+
+Camera::Camera(const Vec3d& center, const Vec3d& direction, const Vec3d& up)
+    : center_(center),
+      direction_(normalize(direction)),
+      right_(normalize(cross(direction_, up))),
+      up_(cross(right_, direction_)) {}
+
+Ray OrthographicCamera::generateRay(const Vec2d& point) const {
+  return {center_ + (right_ * point.x() + up_ * point.y()) * size_, direction_};
+}
+
+double OrthographicCamera::getTMin() const { return -std::numeric_limits<double>::infinity(); }
+
+PerspectiveCamera::PerspectiveCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up,
+                                     double angle)
+    : Camera(center, direction, up), spread_(2 * math::tan(angle / 2)) {}
+
+Ray PerspectiveCamera::generateRay(const Vec2d& point) const {
+  return {center_, normalize(direction_ + (right_ * point.x() + up_ * point.y()) * spread_)};
+}

@@ -1,0 +1,37 @@
+// Plane: t = (offset - n . origin) / (n . direction).
+#include "geometry/plane.h"
+
+#include <cmath>
+#include <limits>
+
+bool Plane::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
+  if (ray.leaves(this)) return false;
+  const double approach = dot(normal_, ray.getDirection());
+  const double root = (offset_ - dot(normal_, ray.getOrigin())) / approach;
+  if (approach == 0 || !(root > tmin && root < tmax)) return false;
+  t = root;
+  return true;
+}
+
+void Plane::setHit(const Ray& ray, double t, Hit& hit) const {
+  hit.set(t, material_, normal_, ray);
+  hit.setPrimitive(this, 0, ray, std::fabs(offset_));
+}
+
+bool Plane::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  double t;
+  if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
+  setHit(ray, t, hit);
+  return true;
+}
+
+bool Plane::occluded(const Ray& ray, double tmin, double tmax) const {
+  double t;
+  return nearestRoot(ray, tmin, tmax, t);
+}
+
+void Plane::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  double t;
+  if (!nearestRoot(ray, 0, std::numeric_limits<double>::infinity(), t)) return;
+  visitor.visit({t, this, material_, false, dot(normal_, ray.getDirection()) > 0});
+}

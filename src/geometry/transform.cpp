@@ -1,0 +1,38 @@
+// Transform: moves the ray in, asks the object, moves the hit out.
+#include "geometry/transform.h"
+
+#include <cassert>
+
+Transform::Transform(const Matrix& matrix, const Object3D* object)
+    : matrix_(matrix), object_(object) {
+  const bool invertible = matrix.inverse(inverse_);
+  assert(invertible);
+  (void)invertible;
+}
+
+void Transform::toParent(const Ray& ray, Hit& hit) const {
+  const Vec3d normal = normalize(inverse_.transposeTransformDirection(hit.getNormal()));
+  const Vec3d inside = inverse_.transformDirection(ray.getDirection());
+  const Vec3d point = ray.pointAtParameter(hit.getT());
+  const double magnitude =
+      std::max(maxAbs(ray.getOrigin()), maxAbs(point)) / length(ray.getDirection());
+  hit.moveTo(ray, normal, std::max(magnitude, inverse_.magnitudeAt(point) / length(inside)));
+}
+
+bool Transform::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  if (!object_->intersect(toObject(ray), hit, tmin)) return false;
+  toParent(ray, hit);
+  return true;
+}
+
+bool Transform::occluded(const Ray& ray, double tmin, double tmax) const {
+  return object_->occluded(toObject(ray), tmin, tmax);
+}
+
+void Transform::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  object_->visitCrossings(toObject(ray), visitor);
+}
+
+void Transform::addBounds(const Matrix& toWorld, BoundingBox& box) const {
+  object_->addBounds(toWorld * matrix_, box);
+}

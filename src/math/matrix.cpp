@@ -1,0 +1,73 @@
+// Matrix: products, rotations and the inverse.
+#include "math/matrix.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/functions.h"
+
+Matrix::Matrix() : m_{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}} {}
+
+Matrix::Matrix(const double (&rows)[3][4]) {
+  for (int row = 0; row < 3; ++row) std::copy(rows[row], rows[row] + 4, m_[row]);
+}
+
+Matrix Matrix::translation(const Vec3d& offset) {
+  return Matrix({{1, 0, 0, offset.x()}, {0, 1, 0, offset.y()}, {0, 0, 1, offset.z()}});
+}
+
+Matrix Matrix::scale(const Vec3d& factors) {
+  return Matrix({{factors.x(), 0, 0, 0}, {0, factors.y(), 0, 0}, {0, 0, factors.z(), 0}});
+}
+
+Matrix Matrix::rotation(const Vec3d& axis, double degrees) {
+  const Vec3d a = normalize(axis / maxAbs(axis));
+  const double c = math::cosDegrees(degrees), s = math::sinDegrees(degrees), t = 1 - c;
+  const double x = a.x(), y = a.y(), z = a.z();
+  return Matrix({{t * x * x + c, t * x * y - s * z, t * x * z + s * y, 0},
+                 {t * x * y + s * z, t * y * y + c, t * y * z - s * x, 0},
+                 {t * x * z - s * y, t * y * z + s * x, t * z * z + c, 0}});
+}
+
+Matrix operator*(const Matrix& a, const Matrix& b) {
+  Matrix product;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      double sum = column == 3 ? a.m_[row][3] : 0;
+      for (int k = 0; k < 3; ++k) sum += a.m_[row][k] * b.m_[k][column];
+      product.m_[row][column] = sum;
+    }
+  }
+  return product;
+}
+
+bool Matrix::inverse(Matrix& result) const {
+  const Vec3d columns[3] = {{m_[0][0], m_[1][0], m_[2][0]},
+                            {m_[0][1], m_[1][1], m_[2][1]},
+                            {m_[0][2], m_[1][2], m_[2][2]}};
+  const Vec3d offset(m_[0][3], m_[1][3], m_[2][3]);
+  // Row i of the inverse is the cross product of the two other columns over the determinant.
+  const Vec3d cofactors[3] = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
+                              cross(columns[0], columns[1])};
+  const double determinant = dot(columns[0], cofactors[0]);
+  Matrix inverted;
+  for (int row = 0; row < 3; ++row) {
+    const Vec3d linear = cofactors[row] / determinant;
+    const double moved = -dot(linear, offset);
+    if (!std::isfinite(linear.x() + linear.y() + linear.z() + moved)) return false;
+    for (int column = 0; column < 3; ++column) inverted.m_[row][column] = linear[column];
+    inverted.m_[row][3] = moved;
+  }
+  result = inverted;
+  return true;
+}
+
+double Matrix::magnitudeAt(const Vec3d& p) const {
+  double largest = 0;
+  for (const auto& row : m_) {
+    const double sum = std::fabs(row[0] * p.x()) + std::fabs(row[1] * p.y()) +
+                       std::fabs(row[2] * p.z()) + std::fabs(row[3]);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}

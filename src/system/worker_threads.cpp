@@ -1,0 +1,78 @@
+// Worker threads on POSIX threads: std::thread cannot be given a stack size.
+#include "system/worker_threads.h"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <vector>
+
+namespace {
+
+struct SharedWork {
+  const std::function<void(int)>& work;
+  const int count;
+  std::atomic<int> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;  // guarded by mutex
+
+  void runAll() {
+    for (int index; (index = next++) < count;) {
+      try {
+        work(index);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  }
+};
+
+extern "C" void* runSharedWork(void* work) {
+  static_cast<SharedWork*>(work)->runAll();
+  return nullptr;
+}
+
+/// Attributes that ask for a stack of `bytes`, freed at the end of scope.
+class StackSize {
+ public:
+  explicit StackSize(std::size_t bytes) {
+    pthread_attr_init(&attributes_);
+    const std::size_t page = 65536;
+    pthread_attr_setstacksize(&attributes_, (std::max(bytes, page) + page - 1) / page * page);
+  }
+  ~StackSize() { pthread_attr_destroy(&attributes_); }
+  StackSize(const StackSize&) = delete;
+  StackSize& operator=(const StackSize&) = delete;
+  const pthread_attr_t* get() const { return &attributes_; }
+
+ private:
+  pthread_attr_t attributes_;
+};
+
+}  // namespace
+
+int hardwareThreads() {
+  const long count = sysconf(_SC_NPROCESSORS_ONLN);
+  return int(std::max(1L, count));
+}
+
+void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work) {
+  SharedWork shared{work, threads, {}, {}, {}};
+  const StackSize stack(stackBytes);
+  std::vector<pthread_t> started;
+  started.reserve(std::size_t(threads));
+  int error = 0;
+  for (int i = 0; i < threads && error == 0; ++i) {
+    pthread_t thread;
+    error = pthread_create(&thread, stack.get(), runSharedWork, &shared);
+    if (error == 0) started.push_back(thread);
+  }
+  for (const pthread_t thread : started) pthread_join(thread, nullptr);
+  if (started.empty()) throw std::system_error(error, std::generic_category(), "no thread");
+  if (shared.failure) std::rethrow_exception(shared.failure);
+}
