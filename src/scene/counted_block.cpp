@@ -36,8 +36,8 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
   while (in_.word() != "}") {
     if (block.items.contains(in_.word())) {
       if (isSure && found == expected) {
-        in_.report(in_.at(), says + "the " + std::string(block.owner) + " goes on with " +
-                                 in_.quotedAt(in_.at()));
+        in_.report(in_.at(),
+                   says + std::string(block.owner) + " goes on with " + in_.quotedAt(in_.at()));
         isSure = false;
       }
       readItem();
@@ -49,8 +49,7 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
     }
   }
   if (isSure && found < expected) {
-    in_.report(in_.at(),
-               says + "the " + std::string(block.owner) + " ends after " + std::to_string(found));
+    in_.report(in_.at(), says + std::string(block.owner) + " ends after " + std::to_string(found));
   }
   in_.advance();
 }

@@ -43,8 +43,9 @@ const MeshGeometry* MeshLibrary::load(std::string_view name, bool& isNew) {
     }
     tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
   }
+  const std::string why = tried.empty() ? "no file can have this name" : "looked for " + tried;
   log_.add(place, InputError(scene_.name(), scene_.lineAt(name.data()),
-                             "cannot read the mesh " + quoted(name) + "; looked for " + tried));
+                             "cannot read the mesh " + quoted(name) + "; " + why));
   return nullptr;
 }
 
@@ -59,9 +60,9 @@ const MeshGeometry* MeshLibrary::read(const std::string& path, std::string bytes
 }
 
 std::vector<std::string> MeshLibrary::candidates(std::string_view name) const {
-  constexpr std::size_t kLongestPath = 4096;  // beyond it no system finds a file
-  std::string text(name.substr(0, kLongestPath));
-  text.resize(std::min(text.size(), text.find('\0')));
+  constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longer name
+  if (name.size() > kLongestPath || name.find('\0') != std::string_view::npos) return {};
+  std::string text(name);
   std::replace(text.begin(), text.end(), '\\', '/');
   const std::filesystem::path file(text);
   const std::filesystem::path folder = std::filesystem::path(scene_.name()).parent_path();

@@ -54,8 +54,8 @@ void SceneBuilder::readMisplaced() {
 /// Camera, Lights, Background and Materials may stand once. The second one is read all the same.
 void SceneBuilder::reportSecond(std::string_view what, bool& isSeen) {
   if (isSeen) {
-    in_.report(in_.at(),
-               "expected one " + std::string(what) + ", found a second one: " + quoted(in_.word()));
+    in_.report(in_.at(), "a second " + std::string(what) + ": expected only one, found " +
+                             quoted(in_.word()));
   }
   isSeen = true;
 }

@@ -42,16 +42,21 @@ const StepKind* findStep(std::string_view word) {
   return nullptr;
 }
 
-bool isFinite(const Matrix& matrix) {
-  for (int i = 0; i < 12; ++i) {
-    if (!std::isfinite(matrix.at(i / 4, i % 4))) return false;
-  }
-  return true;
-}
-
+/// True when the inverse exists and undoes the map to two digits at least: a map that is singular
+/// but for rounding errors, or too large or small for its determinant, does not pass. Infinities
+/// and NaN anywhere give NaN in the product.
 bool hasInverse(const Matrix& matrix) {
   Matrix inverse;
-  return isFinite(matrix) && matrix.inverse(inverse) && isFinite(inverse);
+  if (!matrix.inverse(inverse)) return false;
+  const Matrix product = matrix * inverse;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      const double identity = row == column ? 1 : 0;
+      if (!(std::fabs(product.at(row, column) - identity) <= 0.01)) return false;
+    }
+    if (!std::isfinite(product.at(row, 3))) return false;
+  }
+  return true;
 }
 
 std::string shown(const double* numbers, int count) {
