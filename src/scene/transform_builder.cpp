@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "geometry/transform.h"
-#include "scene/directions.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_words.h"
 
@@ -23,7 +22,7 @@ Matrix toUniformScale(const double* n) { return Matrix::scale({n[0], n[0], n[0]}
 Matrix toXRotation(const double* n) { return Matrix::rotation({1, 0, 0}, n[0]); }
 Matrix toYRotation(const double* n) { return Matrix::rotation({0, 1, 0}, n[0]); }
 Matrix toZRotation(const double* n) { return Matrix::rotation({0, 0, 1}, n[0]); }
-Matrix toRotation(const double* n) { return Matrix::rotation(rescaled({n[0], n[1], n[2]}), n[3]); }
+Matrix toRotation(const double* n) { return Matrix::rotation({n[0], n[1], n[2]}, n[3]); }
 Matrix toAffineMap(const double* n) {
   double rows[3][4];
   for (int i = 0; i < 12; ++i) rows[i / 4][i % 4] = n[i];

@@ -71,9 +71,10 @@ TEST("vertex numbers are the nearest floats, and further numbers do not matter")
 
 TEST("other statements, comments and CRLF are passed over, and lines continue behind a backslash") {
   CHECK_EQUAL(
-      faces("# f 9 9 9 \\\r\nmtllib a b\r\nvn 1 2\r\nvt 3\r\nvp x\r\nfoo \\\r\nf 9 9 9\r\n" +
-            kSquare + "usemtl x\r\nf 1 \\\r\n 2 \\\n3\r\n\r\n  f 1\\\n2 4 # f\r\nfo 1\nf 1 3 4 \\"),
-      "0 1 2, 0 1 3, 0 2 3");
+      faces(
+          "# f 9 9 9 \\\r\nf 1 1 1\nmtllib a b\r\nvn 1 2\r\nvt 3\r\nvp x\r\nfoo \\\r\nf 9 9 9\r\n" +
+          kSquare + "usemtl x\r\nf 1 \\\r\n 2 \\\n3\r\n\r\n  f 1\\\n2 4 # f\r\nfo 1\nf 1 3 4 \\"),
+      "0 0 0, 0 1 2, 0 1 3, 0 2 3");
 }
 
 TEST("mistakes in a mesh name its line and the word") {
@@ -140,8 +141,11 @@ TEST("a mesh is found in the current folder, behind the one beside the scene") {
   CHECK(SceneParser::check(scenePath.c_str()).empty());
   std::filesystem::current_path(before);
   CHECK_EQUAL(SceneParser::check(scenePath.c_str()).size(), 1u);
+  // A mesh with a mistake beside the scene is taken before the good one in the current folder.
   std::ofstream((folder / "inner" / name).string()) << "f 1 2 3\n";
+  std::filesystem::current_path(folder);
   CHECK_EQUAL(SceneParser::check(scenePath.c_str()).size(), 1u);
+  std::filesystem::current_path(before);
 }
 
 TEST("a mesh that cannot be read is a mistake of the scene's line that names it") {

@@ -153,7 +153,7 @@ TEST("cameras are checked") {
   CHECK_MISTAKE(camera("Perspective", "0 0 0", "0 1 0", "angle 5"), 2,
                 "direction that is not zero");
   CHECK_MISTAKE(camera("Perspective", "0 0 1", "0 0 0", "angle 5"), 3, "up that is not zero");
-  CHECK_MISTAKE(camera("Perspective", ".1 .2 .3", "-.2 -.4 -.6", "angle 5"), 3, "parallel");
+  CHECK_MISTAKE(camera("Perspective", ".1 .2 .3", "-.3 -.6 -.9", "angle 5"), 3, "parallel");
   CHECK_MISTAKE(camera("Orthographic", "0 1e-200 0", "0 1e200 0", "size 5"), 3, "parallel");
   CHECK_MISTAKE(camera("Perspective", "0 0 1", "0 1 0", "angle 180"), 4, "'180'");
   CHECK_MISTAKE(camera("Perspective", "0 0 1", "0 1 0", "angle 0"), 4, "angle above 0");
@@ -243,6 +243,13 @@ TEST("all mistakes are collected in file order without nonsense after them") {
     lines += std::to_string(mistake.getLine()) + " ";
   }
   CHECK_EQUAL(lines, "1 2 3 5 6 6 7 7 8 9 9 11 ");
+}
+
+TEST("mistakes found out of turn are told in file order") {
+  // The radius can only be judged at the end of its block.
+  const std::string mistakes = mistakesIn(around("Sphere {\nradius -1\ncenter x 0 0 }"));
+  CHECK_EQUAL(mistakes.find("6: expected radius"), 0u);
+  CHECK_EQUAL(countLines(mistakes), 2u);
 }
 
 TEST("one slip gives one mistake") {

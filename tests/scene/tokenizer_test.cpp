@@ -70,7 +70,7 @@ TEST("words are quoted short and printable") {
 TEST("the nearest word is found for a slip and none for another word") {
   constexpr std::string_view kAllowed[] = {"Sphere", "Plane", "TriangleMesh", "Triangle"};
   CHECK_EQUAL(nearestWord("Sphear", kAllowed), "Sphere");
-  CHECK_EQUAL(nearestWord("sphere", kAllowed), "Sphere");
+  CHECK_EQUAL(nearestWord("SPHERE", kAllowed), "Sphere");
   CHECK_EQUAL(nearestWord("Trangle", kAllowed), "Triangle");
   CHECK_EQUAL(nearestWord("TriangelMesh", kAllowed), "TriangleMesh");
   CHECK_EQUAL(nearestWord("Cube", kAllowed), "");
