@@ -151,7 +151,7 @@ class PixelReader {
     if (header_.content == Content::colors) return colorFrom(bytes, header_.depth);
     if (header_.content == Content::greys) return {bytes[0], bytes[0], bytes[0]};
     const unsigned index = header_.depth == 8 ? bytes[0] : littleEndian16(bytes);
-    if (index < header_.mapFirst || index - header_.mapFirst >= map_.size()) {
+    if (index - header_.mapFirst >= map_.size()) {  // below the first it wraps to a huge number
       reader_.fail("expected a colour index of " + std::to_string(header_.mapFirst) + " to below " +
                    std::to_string(header_.mapFirst + header_.mapLength) + ", found " +
                    std::to_string(index));

@@ -71,12 +71,13 @@ TEST("the difference of a pixel is the largest of its channel differences") {
   b.setPixel(0, 0, Rgb8{3, 1, 2});    // 3
   a.setPixel(1, 0, Rgb8{0, 9, 0});    // 9, the other way round
   b.setPixel(0, 1, Rgb8{0, 0, 255});  // 255
+  b.setPixel(1, 1, Rgb8{0, 4, 0});    // 4
   const ImageDifference difference = compareImages(a, b);
   CHECK_EQUAL(difference.maximum(), 255);
-  CHECK_NEAR(difference.mean(), (3 + 9 + 255 + 0) / 4.0, 0);
+  CHECK_NEAR(difference.mean(), (3 + 9 + 255 + 4) / 4.0, 0);
   CHECK_EQUAL(difference.pixels(), 4u);
-  CHECK_EQUAL(difference.pixelsOver(0), 3u);
-  CHECK_EQUAL(difference.pixelsOver(3), 2u);  // over, not at
+  CHECK_EQUAL(difference.pixelsOver(0), 4u);
+  CHECK_EQUAL(difference.pixelsOver(3), 3u);  // over, not at
   CHECK_EQUAL(difference.pixelsOver(8), 2u);
   CHECK_EQUAL(difference.pixelsOver(9), 1u);
   CHECK_EQUAL(difference.pixelsOver(254), 1u);

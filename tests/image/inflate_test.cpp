@@ -223,6 +223,9 @@ TEST("zlib data is decompressed, and its head, length and checksum are checked")
   longer.push_back(0);
   CHECK_THROWS(inflateZlib(longer, 300), InflateError);
   CHECK_THROWS(inflateZlib(kZlib, 299), InflateError);
+  Bytes head = kZlib;
+  head[1] = 0x9D;  // 0x789D is no multiple of 31
+  CHECK_THROWS(inflateZlib(head, 300), InflateError);
   Bytes dictionary = kZlib;
   dictionary[1] = 0xBB;  // 0x78BB = 30907 = 31 * 997, with the preset dictionary bit
   CHECK_THROWS(inflateZlib(dictionary, 300), InflateError);
