@@ -1,7 +1,7 @@
 #!/bin/sh
 # Renders every scene of this folder to build/renders, with the arguments that the scene's comment
 # gives; installs a compiler and cmake where they are missing.
-root=$(cd "$(dirname "$0")/.." && pwd) || exit 1
+root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
 
 # The arguments in a scene's line `# raytracer -input NAME.txt -output NAME.tga ARGUMENTS`, without
@@ -24,8 +24,9 @@ render_scene() {
   name=$(basename "$1" .txt)
   picture=$build/renders/$name.tga
   start=$(now)
-  # The arguments are a list of words; other files that they name go beside the picture.
-  (cd "$build/renders" && "$build/raytracer" -input "$1" -output "$picture" $(arguments_of "$1")) ||
+  # The arguments are a list of words, none a pattern; other files that they name go beside the picture.
+  (set -f && cd "$build/renders" &&
+    "$build/raytracer" -input "$1" -output "$picture" $(arguments_of "$1")) ||
     return 1
   seconds=$(echo "$start $(now)" | awk '{ printf "%.2f", $2 - $1 }')
   printf '%-32s %8s s  %s\n' "$name" "$seconds" "$picture"
