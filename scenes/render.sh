@@ -24,7 +24,7 @@ render_scene() {
   name=$(basename "$1" .txt)
   picture=$build/renders/$name.tga
   start=$(now)
-  # The arguments are a list of words, none a pattern; other files that they name go beside the picture.
+  # The arguments are a list of words, none a pattern; files that they name go beside the picture.
   (set -f && cd "$build/renders" &&
     "$build/raytracer" -input "$1" -output "$picture" $(arguments_of "$1")) ||
     return 1

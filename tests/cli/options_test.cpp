@@ -265,28 +265,29 @@ TEST("file names must not be empty and an output is no dash") {
 
 TEST("two arguments must not name the same file") {
   const check::ScratchFolder folder;
-  const std::string scene = folder.write("scene.txt", "");
+  const std::string scene = folder.write("scene.txt", ""), dir = folder.path() + "/";
   std::filesystem::create_symlink("scene.txt", folder.file("link.txt"));
   std::filesystem::create_symlink("new", folder.file("to_new"));
   std::filesystem::create_hard_link(scene, folder.file("other_name"));
-  const auto clash = [&](const std::string& arguments) {
+  const auto clash = [&](const std::string& input, const Words& words) {
+    Words all = {"-input", input};
+    all.insert(all.end(), words.begin(), words.end());
+    const Options options = parseOptions(all);
     try {
-      checkFiles(parseOptions(split(arguments)));
+      checkFiles(options);
     } catch (const UsageError&) {
       return true;
     }
     return false;
   };
-  const std::string in = "-input " + scene, dir = folder.path();
-  CHECK(!clash(in + " -output " + dir + "/a -normals " + dir + "/b -depth 1 2 " + dir + "/c"));
-  CHECK(clash(in + " -output " + scene));
-  CHECK(clash(in + " -output " + dir + "/./scene.txt"));
-  CHECK(clash(in + " -normals " + dir + "/link.txt"));
-  CHECK(clash(in + " -normals " + dir + "/other_name"));
-  CHECK(clash(in + " -output " + dir + "/a -normals " + dir + "/a"));
-  CHECK(clash(in + " -output " + dir + "/new -normals " + dir + "/to_new"));
-  CHECK(clash(in + " -output " + dir + "/a -depth 1 2 " + dir + "/../" +
-              std::filesystem::path(dir).filename().string() + "/a"));
-  CHECK(clash("-input - -depth a 1 2 -normals ./a"));
-  CHECK(!clash(in + " -output /dev/null -normals /dev/null"));
+  CHECK(
+      !clash(scene, {"-output", dir + "a", "-normals", dir + "b", "-depth", "1", "2", dir + "c"}));
+  CHECK(clash(scene, {"-output", scene}));
+  CHECK(clash(scene, {"-output", dir + "./scene.txt"}));
+  CHECK(clash(scene, {"-normals", dir + "link.txt"}));
+  CHECK(clash(scene, {"-normals", dir + "other_name"}));
+  CHECK(clash(scene, {"-output", dir + "a", "-normals", dir + "a"}));
+  CHECK(clash(scene, {"-output", dir + "new", "-normals", dir + "to_new"}));
+  CHECK(clash("-", {"-depth", "a", "1", "2", "-normals", "./a"}));
+  CHECK(!clash(scene, {"-output", "/dev/null", "-normals", "/dev/null"}));
 }
