@@ -2,6 +2,7 @@
 #include "cli/option_table.h"
 
 #include "cli/option_values.h"
+#include "scene/wording.h"
 
 namespace {
 
@@ -13,7 +14,7 @@ constexpr std::size_t kWidth = 80;
 
 void setAccel(const GivenOption& given, Options& options) {
   if (given.words[0] != "fast" && given.words[0] != "tree")
-    throw UsageError("-accel: expected fast or tree, found '" + given.words[0] + "'");
+    throw UsageError("-accel: expected fast or tree, found " + ::quoted(given.words[0]));
   options.accel = given.words[0] == "fast" ? Options::Accel::fast : Options::Accel::tree;
 }
 

@@ -1,13 +1,14 @@
 // Reading the words that follow an argument.
 #include "cli/option_values.h"
 
-#include "cli/number_stand_in.h"
+#include "scene/number_reader.h"
+#include "scene/wording.h"
 
 namespace {
 
 [[noreturn]] void fail(const GivenOption& given, const std::string& expected,
                        const std::string& found) {
-  throw UsageError("-" + given.name + ": expected " + expected + ", found '" + found + "'");
+  throw UsageError("-" + given.name + ": expected " + expected + ", found " + ::quoted(found));
 }
 
 std::string fileName(const GivenOption& given, const std::string& word) {
@@ -59,8 +60,7 @@ std::string inputName(const GivenOption& given) { return fileName(given, given.w
 std::string outputName(const GivenOption& given) { return writableName(given, given.words[0]); }
 
 void readDepth(const GivenOption& given, Options& options) {
-  double number = 0;
-  const bool fileIsLast = readDouble(given.words[0], number);
+  const bool fileIsLast = isNumber(given.words[0]);
   const std::size_t first = fileIsLast ? 0 : 1;
   const double depthMin = depthNumber(given, "MIN", given.words[first]);
   const double depthMax = depthNumber(given, "MAX", given.words[first + 1]);

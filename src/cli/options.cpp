@@ -2,9 +2,10 @@
 #include "cli/options.h"
 
 #include <filesystem>
+#include <string_view>
 
-#include "cli/nearest_word.h"
 #include "cli/option_table.h"
+#include "scene/wording.h"
 
 namespace {
 
@@ -18,15 +19,15 @@ std::string nameOf(const std::string& word) {
 
 [[noreturn]] void failUnknown(const std::string& word) {
   if (nameOf(word).empty())
-    throw UsageError("expected an argument such as -input, found '" + word + "'");
-  std::vector<std::string> names;
+    throw UsageError("expected an argument such as -input, found " + ::quoted(word));
+  std::vector<std::string_view> names;
   for (const OptionRow& row : optionTable()) {
     names.push_back(row.name);
     if (row.otherName) names.push_back(row.otherName);
   }
-  const std::string nearest = nearestWord(nameOf(word), names);
+  const std::string nearest(nearestWord(nameOf(word), WordList(names.data(), names.size())));
   throw UsageError(
-      "unknown argument '" + word + "'; " +
+      "unknown argument " + ::quoted(word) + "; " +
       (nearest.empty() ? "'raytracer -help' lists them all" : "did you mean '-" + nearest + "'?"));
 }
 
@@ -39,7 +40,7 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
     const bool ended = next >= words.size();
     if (ended || findOption(nameOf(words[next])))
       throw UsageError(words[at] + ": expected " + row.words + ", found " +
-                       (ended ? "the end of the command" : "'" + words[next] + "'"));
+                       (ended ? "the end of the command" : ::quoted(words[next])));
     found.push_back(words[next]);
   }
   return found;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
-#include <thread>
 
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -38,13 +38,11 @@ int checkScene(const Options& options) {
   const std::vector<InputError> mistakes = SceneParser::check(options.input.c_str());
   for (const InputError& mistake : mistakes) complain(mistake.what());
   if (!mistakes.empty()) return kSceneAtFault;
-  return options.quiet ? kDone : print(displayName(options.input) + ": no mistakes found\n");
+  return print(displayName(options.input) + ": no mistakes found\n");
 }
 
 int threadCount(const Options& options) {
-  if (options.threads > 0) return options.threads;
-  const unsigned cores = std::thread::hardware_concurrency();  // 0 where it is not known
-  return cores == 0 ? 1 : int(std::min(cores, unsigned(kMaxThreads)));
+  return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
 }
 
 void renderAll(const SceneParser& scene, const Options& options, std::vector<Output>& outputs) {
@@ -60,7 +58,8 @@ void renderAll(const SceneParser& scene, const Options& options, std::vector<Out
 }
 
 int renderScene(const Options& options) {
-  SceneParser scene(options.input.c_str());
+  SceneParser scene = withMemory("to read " + displayName(options.input),
+                                 [&] { return SceneParser(options.input.c_str()); });
   if (!options.quiet)
     for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
   if (options.render.transparentShadows) scene.findClosedMeshes();

@@ -213,12 +213,27 @@ TEST("a full disk leaves the old image and no litter") {
   CHECK_EQUAL(files, 1);
 }
 
-TEST("an image that memory cannot hold gives status 1 and says what it was for") {
+TEST("a signal ends a run and leaves the old image and no litter") {
   const Desk desk;
   desk.write("out.tga", "old");
+  // One thread needs longer than a fifth of a second for 16 million rays.
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    const std::string before = std::string("timeout --preserve-status -s ") + signal + " 0.2";
+    CHECK(desk.run("-input scene.txt -size 4000 4000 -threads 1 -output out.tga", before).status >
+          128);
+    CHECK_EQUAL(check::contentOf(desk.file("out.tga")), "old");
+    CHECK_EQUAL(desk.fileCount(), std::size_t(2));
+  }
+}
+
+TEST("an image that memory cannot hold gives status 1 and says what it was for") {
+  const Desk desk;
+  const std::string limit = "ulimit -v 1000000;";
+  if (desk.run("-version", limit).status != 0) SKIP("the program does not start with so little");
+  desk.write("out.tga", "old");
   // 20000 x 20000 pixels of 3 bytes are 1.2 gigabytes; one gigabyte is allowed.
-  const check::ProgramRun run = desk.run(
-      "-input scene.txt -threads 1 -size 20000 20000 -output out.tga", "ulimit -v 1000000;");
+  const check::ProgramRun run =
+      desk.run("-input scene.txt -threads 1 -size 20000 20000 -output out.tga", limit);
   checkFailure(run, 1, "20000 x 20000");
   CHECK_EQUAL(check::contentOf(desk.file("out.tga")), "old");
   CHECK_EQUAL(desk.fileCount(), std::size_t(2));
