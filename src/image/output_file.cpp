@@ -211,7 +211,10 @@ void OutputFile::commit() {
   slot_ = -1;
 }
 
-void OutputFile::fail(int error) const { throw OutputError(path_, std::strerror(error)); }
+void OutputFile::fail(int error) const {
+  waitIfEnding();
+  throw OutputError(path_, std::strerror(error));
+}
 
 void writeFile(const std::string& path, const void* data, std::size_t size) {
   OutputFile file(path);
