@@ -36,6 +36,7 @@ struct Place {
   std::string path;     // without links in its last part
   int descriptor = -1;  // of this process, where the kind says so
   bool exists = false;
+  int error = 0;  // errno of why nobody can say whether it exists
   struct stat status = {};
 };
 
@@ -76,6 +77,7 @@ Place findPlace(const std::string& given) {
       continue;
     }
     place.exists = stat(place.path.c_str(), &place.status) == 0;
+    if (!place.exists && errno != ENOENT) place.error = errno;
     const bool isFile = !place.exists || S_ISREG(place.status.st_mode);
     if (inProc || !isFile) place.kind = Place::Kind::inPlace;
     return place;
@@ -95,6 +97,7 @@ int findObstacle(const Place& place) {
   }
   if (place.path.empty()) return ENOENT;
   if (place.path.back() == '/') return EISDIR;
+  if (place.error != 0) return place.error;
   if (place.exists) {
     if (S_ISDIR(place.status.st_mode)) return EISDIR;
     if (const int error = forbids(place.path, W_OK)) return error;
@@ -208,7 +211,10 @@ void OutputFile::commit() {
   slot_ = -1;
 }
 
-void OutputFile::fail(int error) const { throw OutputError(path_, std::strerror(error)); }
+void OutputFile::fail(int error) const {
+  waitIfEnding();
+  throw OutputError(path_, std::strerror(error));
+}
 
 void writeFile(const std::string& path, const void* data, std::size_t size) {
   OutputFile file(path);

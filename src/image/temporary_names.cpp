@@ -102,6 +102,10 @@ int createTemporary(const std::string& name, unsigned permissions, int& slot) {
 
 void forgetTemporary(int slot) { slots[slot].taken = false; }
 
+void waitIfEnding() {
+  while (ending) pause();
+}
+
 void removeTemporaryOnSignals() {
   for (const int signal :
        {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU}) {

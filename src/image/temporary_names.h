@@ -9,3 +9,7 @@ int createTemporary(const std::string& name, unsigned permissions, int& slot);
 
 /// The file of `slot` is gone: renamed or removed.
 void forgetTemporary(int slot);
+
+/// Does not return once a signal handler, in another thread, has begun to end the program: what
+/// fails from then on (a rename of a file that the handler has removed) is no error to report.
+void waitIfEnding();
