@@ -45,8 +45,9 @@ install_missing() {
 }
 
 configure() {
-  (cd "$build" && cmake -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON "$root") \
-    >"$build/configure.log" 2>&1
+  set -- -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON "$root"
+  have make || set -- -G Ninja "$@"
+  (cd "$build" && cmake "$@") >"$build/configure.log" 2>&1
 }
 
 forget_build() {

@@ -20,7 +20,9 @@ class MeshGeometry {
   const std::vector<Face>& getFaces() const { return faces_; }
   std::uint32_t faceCount() const { return std::uint32_t(faces_.size()); }
   /// Corner 0, 1 or 2 of face `face`.
-  Vec3d corner(std::uint32_t face, int index) const { return vertices_[faces_[face][index]]; }
+  Vec3d corner(std::uint32_t face, int index) const {
+    return vertices_[faces_[face][std::size_t(index)]];
+  }
   /// Faces without area, which no ray ever hits.
   std::uint32_t countFlatFaces() const;
 

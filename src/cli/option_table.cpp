@@ -40,7 +40,7 @@ std::vector<OptionRow> makeTable() {
       {group, "output", nullptr, "FILE", nullptr,
        "image to write; the ending picks the format, TGA where it is missing or unknown",
        [](Given given, Options& o) { o.output = outputName(given); }},
-      {group, "size", nullptr, "W H", "100 100", "image size in pixels, 1 to 65535 each",
+      {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
          o.width = wholeNumber(given, 0, "W", 1, kMaxImageSide);
          o.height = wholeNumber(given, 1, "H", 1, kMaxImageSide);
