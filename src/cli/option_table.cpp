@@ -1,16 +1,10 @@
-// The table of all arguments, and the texts made from it.
+// The table of all arguments.
 #include "cli/option_table.h"
 
 #include "cli/option_values.h"
 #include "scene/wording.h"
 
 namespace {
-
-constexpr const char* kVersion = "1.0";
-constexpr const char* kCourseCommand =
-    "  raytracer -input scene.txt -output out.tga -bounces 5 -weight 0.01\n";
-constexpr std::size_t kTextColumn = 25;  // where the help text begins
-constexpr std::size_t kWidth = 80;
 
 void setAccel(const GivenOption& given, Options& options) {
   if (given.words[0] != "fast" && given.words[0] != "tree")
@@ -30,10 +24,11 @@ void setEpsilon(const GivenOption& given, Options& options) {
   epsilon.value = positiveNumber(given, ", course or adaptive");
 }
 
-std::vector<OptionRow> makeTable() {
-  using Given = const GivenOption&;
+using Given = const GivenOption&;
+
+std::vector<OptionRow> fileRows() {
   const char* group = "Files";
-  std::vector<OptionRow> table = {
+  return {
       {group, "input", nullptr, "FILE", nullptr,
        "scene to read (always needed); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
@@ -56,9 +51,11 @@ std::vector<OptionRow> makeTable() {
        "render nothing: read the scene and its meshes and report every mistake",
        [](Given, Options& o) { o.check = true; }},
   };
+}
 
-  group = "Light";
-  const std::vector<OptionRow> light = {
+std::vector<OptionRow> lightRows() {
+  const char* group = "Light";
+  return {
       {group, "bounces", nullptr, "N", "5",
        "the most mirror or refracted rays in a row, 0 (none) to 10000",
        [](Given given, Options& o) {
@@ -83,9 +80,11 @@ std::vector<OptionRow> makeTable() {
        "course where the bounded objects together span 1 to 1000 units, else adaptive)",
        setEpsilon},
   };
+}
 
-  group = "Running";
-  const std::vector<OptionRow> running = {
+std::vector<OptionRow> runningRows() {
+  const char* group = "Running";
+  return {
       {group, "threads", nullptr, "N", nullptr,
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
        [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
@@ -98,33 +97,13 @@ std::vector<OptionRow> makeTable() {
       {group, "version", nullptr, "", nullptr, "print the version",
        [](Given, Options& o) { o.version = true; }},
   };
-  table.insert(table.end(), light.begin(), light.end());
-  table.insert(table.end(), running.begin(), running.end());
+}
+
+std::vector<OptionRow> makeTable() {
+  std::vector<OptionRow> table;
+  for (const auto& rows : {fileRows(), lightRows(), runningRows()})
+    table.insert(table.end(), rows.begin(), rows.end());
   return table;
-}
-
-/// Appends `text` to `list`, whose last line has `column` columns, broken at blanks so that every
-/// line starts at kTextColumn and ends by kWidth.
-void appendWrapped(std::string& list, std::size_t column, const std::string& text) {
-  if (column + 1 > kTextColumn) {
-    list += '\n';
-    column = 0;
-  }
-  list.append(kTextColumn - column, ' ');
-  std::size_t start = 0;
-  while (text.size() - start > kWidth - kTextColumn) {
-    const std::size_t end = text.rfind(' ', start + kWidth - kTextColumn);
-    list += text.substr(start, end - start) + "\n" + std::string(kTextColumn, ' ');
-    start = end + 1;
-  }
-  list += text.substr(start) + "\n";
-}
-
-std::string heading(const OptionRow& row) {
-  const std::string words = *row.words ? std::string(" ") + row.words : "";
-  std::string text = std::string("  -") + row.name + words;
-  if (row.otherName) text += std::string(", -") + row.otherName + words;
-  return text;
 }
 
 }  // namespace
@@ -146,34 +125,3 @@ int countWords(const OptionRow& row) {
   for (const char* c = row.words; *c; ++c) count += *c == ' ';
   return count;
 }
-
-std::string optionList() {
-  std::string list, group;
-  for (const OptionRow& row : optionTable()) {
-    if (group != row.group) list += (group.empty() ? "" : "\n") + std::string(row.group) + ":\n";
-    group = row.group;
-    const std::string left = heading(row);
-    list += left;
-    const std::string ending =
-        row.defaultWords ? std::string(" (default: ") + row.defaultWords + ")" : "";
-    appendWrapped(list, left.size(), row.help + ending);
-  }
-  return list;
-}
-
-std::string shortHelp() {
-  return "raytracer: renders a scene file to an image, for example\n" +
-         std::string(kCourseCommand) + "'raytracer -help' lists all arguments.\n";
-}
-
-std::string fullHelp() {
-  return "raytracer: renders a scene file to an image, for example\n" +
-         std::string(kCourseCommand) +
-         "Arguments come in any order, with one dash or two; the last of two equal ones\n"
-         "wins. At least one of -output, -depth, -normals or -check is needed.\n\n" +
-         optionList() +
-         "\nExit status: 0 done, 1 an output failed, 2 wrong usage, 3 the scene or a mesh\n"
-         "is at fault.\n";
-}
-
-std::string versionText() { return std::string("raytracer ") + kVersion; }
