@@ -1,0 +1,43 @@
+// The table of all arguments: the parser, `-help` and the list in README.txt come from it alone.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+
+/// One argument as it was given: its name without dashes and the words that follow it.
+struct GivenOption {
+  std::string name;
+  std::vector<std::string> words;
+};
+
+struct OptionRow {
+  const char* group;         ///< heading under which it is listed
+  const char* name;          ///< without dashes
+  const char* otherName;     ///< a second spelling, or nullptr
+  const char* words;         ///< the words that follow it, separated by single blanks; may be ""
+  const char* defaultWords;  ///< what holds when it is not given, or nullptr where nothing does
+  const char* help;          ///< one sentence without a full stop
+  /// Stores the argument in `options`; throws UsageError where its words are wrong. Called with as
+  /// many words as `words` names.
+  void (*apply)(const GivenOption& given, Options& options);
+};
+
+/// All rows, those of one group together.
+const std::vector<OptionRow>& optionTable();
+
+/// The row with this name or other name (without dashes), or nullptr.
+const OptionRow* findOption(const std::string& name);
+
+/// How many words follow the argument.
+int countWords(const OptionRow& row);
+
+/// The list of all arguments, at most 80 columns wide, as `-help` prints it and README.txt shows.
+std::string optionList();
+
+/// What `raytracer` alone prints, and what `-help` prints.
+std::string shortHelp();
+std::string fullHelp();
+
+/// "raytracer 1.0".
+std::string versionText();

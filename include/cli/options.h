@@ -1,0 +1,53 @@
+// Options: what the command line asks for. Every argument works with one dash or two, in any
+// order; where one is given twice, the last one wins.
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/render_options.h"
+
+/// A mistake in the command line: what() says what was expected and what was found.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Limits of the arguments; TGA stores a side of the image in 16 bits.
+inline constexpr int kMaxImageSide = 65535;
+inline constexpr int kMaxThreads = 1024;
+
+struct Options {
+  enum class Accel {
+    fast,  ///< whatever is quickest
+    tree   ///< the plain object tree, for checking
+  };
+
+  std::string input;        ///< scene file; "-" is standard input
+  std::string output;       ///< image file; empty = not wanted, as for the other files
+  int width = 100;          ///< pixels, 1..kMaxImageSide
+  int height = 100;         ///< pixels, 1..kMaxImageSide
+  std::string depthOutput;  ///< depth image file
+  double depthMin = 0;      ///< distance that is drawn white
+  double depthMax = 0;      ///< distance that is drawn black; never equal to depthMin
+  std::string normalsOutput;
+
+  RenderOptions render;
+  int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  Accel accel = Accel::fast;
+
+  bool quiet = false;      ///< no warnings, no progress
+  bool check = false;      ///< read the scene, report every mistake, render nothing
+  bool shortHelp = false;  ///< no argument at all was given
+  bool help = false;
+  bool version = false;
+};
+
+/// Reads the command line `words`, without the program's own name. Throws UsageError at the first
+/// mistake. Unless help or the version is asked for, the result names a scene and something to do
+/// with it; that no two files are the same is left to checkFiles.
+Options parseOptions(const std::vector<std::string>& words);
+
+/// Throws UsageError where two outputs name the same file, or an output is the scene. Links are
+/// followed; a device such as /dev/null may be named more than once.
+void checkFiles(const Options& options);

@@ -1,0 +1,18 @@
+// The run of the program: parse, compile, trace, write.
+#pragma once
+#include "cli/options.h"
+
+/// Exit status of the program.
+enum ExitStatus {
+  kDone = 0,
+  kOutputFailed = 1,  ///< also: not enough memory
+  kWrongUsage = 2,
+  kSceneAtFault = 3
+};
+
+/// Does what `options` ask for and returns the exit status. Mistakes that end the run at once are
+/// thrown: UsageError, InputError, or any other std::exception with a message for the user.
+int runProgram(const Options& options);
+
+/// Writes "raytracer: " + message + a line break to standard error.
+void complain(const std::string& message);

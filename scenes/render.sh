@@ -1,0 +1,46 @@
+#!/bin/sh
+# Renders every scene of this folder to build/renders, with the arguments that the scene's comment
+# gives; installs a compiler and cmake where they are missing.
+root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
+. "$root/tests/setup.sh"
+
+# The arguments in a scene's line `# raytracer -input NAME.txt -output NAME.tga ARGUMENTS`, without
+# the names of the two files.
+arguments_of() {
+  sed -n 's/^#[[:space:]]*raytracer[[:space:]]//p' "$1" | head -n 1 | tr -d '\r' | awk '{
+    for (i = 1; i <= NF; i++) {
+      if ($i ~ /^--?(input|output)$/) i++
+      else printf "%s ", $i
+    }
+  }'
+}
+
+now() {
+  date +%s.%N
+}
+
+# render_scene FILE: one line about it, and false where it failed.
+render_scene() {
+  name=$(basename "$1" .txt)
+  picture=$build/renders/$name.tga
+  start=$(now)
+  # The arguments are a list of words, none a pattern; files that they name go beside the picture.
+  (set -f && cd "$build/renders" &&
+    "$build/raytracer" -input "$1" -output "$picture" $(arguments_of "$1")) ||
+    return 1
+  seconds=$(echo "$start $(now)" | awk '{ printf "%.2f", $2 - $1 }')
+  printf '%-32s %8s s  %s\n' "$name" "$seconds" "$picture"
+}
+
+install_missing
+build_program --target raytracer
+mkdir -p "$build/renders" || exit 1
+status=0
+for scene in "$root"/scenes/*.txt; do
+  [ -f "$scene" ] || continue
+  render_scene "$scene" || {
+    printf '%-32s failed\n' "$(basename "$scene" .txt)"
+    status=1
+  }
+done
+exit $status

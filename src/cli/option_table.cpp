@@ -1,0 +1,127 @@
+// The table of all arguments.
+#include "cli/option_table.h"
+
+#include "cli/option_values.h"
+#include "scene/wording.h"
+
+namespace {
+
+void setAccel(const GivenOption& given, Options& options) {
+  if (given.words[0] != "fast" && given.words[0] != "tree")
+    throw UsageError("-accel: expected fast or tree, found " + ::quoted(given.words[0]));
+  options.accel = given.words[0] == "fast" ? Options::Accel::fast : Options::Accel::tree;
+}
+
+void setEpsilon(const GivenOption& given, Options& options) {
+  Epsilon& epsilon = options.render.epsilon;
+  epsilon.value = Epsilon::kCourse;
+  if (given.words[0] == "adaptive") {
+    epsilon.kind = Epsilon::Kind::adaptive;
+    return;
+  }
+  epsilon.kind = Epsilon::Kind::fixed;
+  if (given.words[0] == "course") return;
+  epsilon.value = positiveNumber(given, ", course or adaptive");
+}
+
+using Given = const GivenOption&;
+
+std::vector<OptionRow> fileRows() {
+  const char* group = "Files";
+  return {
+      {group, "input", nullptr, "FILE", nullptr,
+       "scene to read (always needed); - is standard input",
+       [](Given given, Options& o) { o.input = inputName(given); }},
+      {group, "output", nullptr, "FILE", nullptr,
+       "image to write; the ending picks the format, TGA where it is missing or unknown",
+       [](Given given, Options& o) { o.output = outputName(given); }},
+      {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
+       [](Given given, Options& o) {
+         o.width = wholeNumber(given, 0, "W", 1, kMaxImageSide);
+         o.height = wholeNumber(given, 1, "H", 1, kMaxImageSide);
+       }},
+      {group, "depth", nullptr, "MIN MAX FILE", nullptr,
+       "write the depth image, white at distance MIN and black at MAX; FILE MIN MAX, where FILE "
+       "does not look like a number, means the same",
+       readDepth},
+      {group, "normals", "normal", "FILE", nullptr,
+       "write the normal image: red, green, blue are |x|, |y|, |z| of the surface normal",
+       [](Given given, Options& o) { o.normalsOutput = outputName(given); }},
+      {group, "check", nullptr, "", nullptr,
+       "render nothing: read the scene and its meshes and report every mistake",
+       [](Given, Options& o) { o.check = true; }},
+  };
+}
+
+std::vector<OptionRow> lightRows() {
+  const char* group = "Light";
+  return {
+      {group, "bounces", nullptr, "N", "5",
+       "the most mirror or refracted rays in a row, 0 (none) to 10000",
+       [](Given given, Options& o) {
+         o.render.maxBounces = wholeNumber(given, 0, "N", 0, kMaxBounces);
+       }},
+      {group, "weight", nullptr, "W", "0.01",
+       "mirror and refracted rays whose part in the pixel would be below W are not traced; W is at "
+       "least 0",
+       [](Given given, Options& o) { o.render.minWeight = positiveFloat(given); }},
+      {group, "shadows", nullptr, "", "on", "cast shadow rays",
+       [](Given, Options& o) { o.render.shadows = true; }},
+      {group, "no_shadows", nullptr, "", nullptr, "cast no shadow rays",
+       [](Given, Options& o) { o.render.shadows = false; }},
+      {group, "transparent_shadows", nullptr, "", nullptr,
+       "transparent objects tint and dim the light instead of blocking it",
+       [](Given, Options& o) { o.render.transparentShadows = true; }},
+      {group, "shade_back", nullptr, "", nullptr, "light both sides of every surface",
+       [](Given, Options& o) { o.render.shadeBack = true; }},
+      {group, "epsilon", nullptr, "E", nullptr,
+       "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
+       "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
+       "course where the bounded objects together span 1 to 1000 units, else adaptive)",
+       setEpsilon},
+  };
+}
+
+std::vector<OptionRow> runningRows() {
+  const char* group = "Running";
+  return {
+      {group, "threads", nullptr, "N", nullptr,
+       "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
+       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
+      {group, "accel", nullptr, "NAME", "fast",
+       "fast, or tree: the plain object tree, for checking", setAccel},
+      {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
+       [](Given, Options& o) { o.quiet = true; }},
+      {group, "help", nullptr, "", nullptr, "print this list",
+       [](Given, Options& o) { o.help = true; }},
+      {group, "version", nullptr, "", nullptr, "print the version",
+       [](Given, Options& o) { o.version = true; }},
+  };
+}
+
+std::vector<OptionRow> makeTable() {
+  std::vector<OptionRow> table;
+  for (const auto& rows : {fileRows(), lightRows(), runningRows()})
+    table.insert(table.end(), rows.begin(), rows.end());
+  return table;
+}
+
+}  // namespace
+
+const std::vector<OptionRow>& optionTable() {
+  static const std::vector<OptionRow> table = makeTable();
+  return table;
+}
+
+const OptionRow* findOption(const std::string& name) {
+  for (const OptionRow& row : optionTable())
+    if (name == row.name || (row.otherName && name == row.otherName)) return &row;
+  return nullptr;
+}
+
+int countWords(const OptionRow& row) {
+  if (!*row.words) return 0;
+  int count = 1;
+  for (const char* c = row.words; *c; ++c) count += *c == ' ';
+  return count;
+}

@@ -1,0 +1,56 @@
+// The files of a run.
+#include "cli/outputs.h"
+
+#include <new>
+#include <stdexcept>
+
+#include "cli/program.h"
+#include "image/output_file.h"
+#include "image/tga.h"
+
+namespace {
+
+/// Calls work(); returns false, complaining, where an output fails for any reason.
+template <class Work>
+bool succeeds(const Output& output, const Work& work) {
+  try {
+    work();
+    return true;
+  } catch (const std::bad_alloc&) {
+    complain(output.file + ": not enough memory to write it");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Output> wantedOutputs(const Options& options) {
+  std::vector<Output> outputs;
+  const auto add = [&](Output::Kind kind, const std::string& file) {
+    if (!file.empty()) outputs.push_back({kind, file, Image()});
+  };
+  add(Output::Kind::color, options.output);
+  add(Output::Kind::depth, options.depthOutput);
+  add(Output::Kind::normals, options.normalsOutput);
+  return outputs;
+}
+
+void dropUnwritable(std::vector<Output>& outputs) {
+  std::vector<Output> writable;
+  for (Output& output : outputs)
+    if (succeeds(output, [&] { checkOutput(output.file); })) writable.push_back(std::move(output));
+  outputs = std::move(writable);
+}
+
+void makeImages(std::vector<Output>& outputs, int width, int height) {
+  for (Output& output : outputs) output.image = Image(width, height);
+}
+
+std::size_t writeAll(const std::vector<Output>& outputs) {
+  std::size_t written = 0;
+  for (const Output& output : outputs)
+    written += succeeds(output, [&] { writeTga(output.image, output.file); });
+  return written;
+}

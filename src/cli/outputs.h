@@ -1,0 +1,26 @@
+// The files of a run: which are wanted, whether they can be written, and writing them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "image/image.h"
+
+struct Output {
+  enum class Kind { color, depth, normals };
+  Kind kind;
+  std::string file;
+  Image image;  ///< empty until makeImages
+};
+
+/// The outputs that `options` name, without their images.
+std::vector<Output> wantedOutputs(const Options& options);
+
+/// Takes out of `outputs` those that cannot be written, complaining of each.
+void dropUnwritable(std::vector<Output>& outputs);
+
+/// Gives every output a black image. Throws std::bad_alloc where memory is short.
+void makeImages(std::vector<Output>& outputs, int width, int height);
+
+/// Writes every output, complaining of each that fails, and returns how many were written.
+std::size_t writeAll(const std::vector<Output>& outputs);

@@ -1,0 +1,93 @@
+// The run of the program: parse, compile, trace, write.
+#include "cli/program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+#include "cli/option_table.h"
+#include "cli/outputs.h"
+#include "render/renderer.h"
+#include "scene/scene_parser.h"
+#include "system/worker_threads.h"
+
+namespace {
+
+/// Returns work(); where memory runs out, throws an error that says what it was needed for.
+template <class Work>
+auto withMemory(const std::string& purpose, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("not enough memory " + purpose);
+  }
+}
+
+std::string displayName(const std::string& input) {
+  return input == "-" ? "standard input" : input;
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
+}
+
+int checkScene(const Options& options) {
+  const std::vector<InputError> mistakes = SceneParser::check(options.input.c_str());
+  for (const InputError& mistake : mistakes) complain(mistake.what());
+  if (!mistakes.empty()) return kSceneAtFault;
+  return print(displayName(options.input) + ": no mistakes found\n");
+}
+
+int threadCount(const Options& options) {
+  return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+}
+
+void renderAll(const SceneParser& scene, const Options& options, std::vector<Output>& outputs) {
+  RenderTargets targets;
+  for (Output& output : outputs) {
+    if (output.kind == Output::Kind::color) targets.color = &output.image;
+    if (output.kind == Output::Kind::depth) targets.depth = &output.image;
+    if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+  }
+  targets.depthMin = options.depthMin;
+  targets.depthMax = options.depthMax;
+  render(scene, *scene.getGroup(), options.render, threadCount(options), targets);
+}
+
+int renderScene(const Options& options) {
+  SceneParser scene = withMemory("to read " + displayName(options.input),
+                                 [&] { return SceneParser(options.input.c_str()); });
+  if (!options.quiet)
+    for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
+  if (options.render.transparentShadows) scene.findClosedMeshes();
+
+  std::vector<Output> outputs = wantedOutputs(options);
+  const std::size_t wanted = outputs.size();
+  dropUnwritable(outputs);
+  if (outputs.empty()) return kOutputFailed;
+  const std::string size =
+      std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
+  withMemory("for images of " + size, [&] { makeImages(outputs, options.width, options.height); });
+  withMemory("to render " + size, [&] { renderAll(scene, options, outputs); });
+  const std::size_t written = writeAll(outputs);
+  return written == wanted ? kDone : kOutputFailed;
+}
+
+}  // namespace
+
+int runProgram(const Options& options) {
+  if (options.shortHelp) return print(shortHelp());
+  if (options.help) return print(fullHelp());
+  if (options.version) return print(versionText() + "\n");
+  if (options.check) return checkScene(options);
+  checkFiles(options);
+  return renderScene(options);
+}
+
+void complain(const std::string& message) {
+  const std::string line = "raytracer: " + message + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}

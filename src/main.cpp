@@ -1,0 +1,34 @@
+// The program `raytracer`. All mistakes that end a run are caught here, and nowhere else.
+#include <new>
+
+#include "cli/program.h"
+#include "image/output_file.h"
+#include "scene/input_error.h"
+
+namespace {
+
+int runCommandLine(const std::vector<std::string>& words) {
+  try {
+    return runProgram(parseOptions(words));
+  } catch (const UsageError& error) {
+    complain(error.what());
+    return kWrongUsage;
+  } catch (const InputError& error) {
+    complain(error.what());
+    return kSceneAtFault;
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory");
+    return kOutputFailed;
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return kOutputFailed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  removeTemporaryOnSignals();
+  return runCommandLine(argc > 1 ? std::vector<std::string>(argv + 1, argv + argc)
+                                 : std::vector<std::string>());
+}
