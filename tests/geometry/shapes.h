@@ -68,9 +68,9 @@ inline MeshGeometry cube(float half) {
 inline std::uint32_t splitEdge(std::vector<Vec3f>& vertices, std::uint32_t a, std::uint32_t b) {
   const Vec3f middle(normalize(Vec3d(vertices[a]) + Vec3d(vertices[b])));
   const auto found = std::find(vertices.begin(), vertices.end(), middle);
+  const auto place = std::uint32_t(found - vertices.begin());
   if (found == vertices.end()) vertices.push_back(middle);
-  return std::uint32_t(found == vertices.end() ? vertices.size() - 1
-                                               : std::size_t(found - vertices.begin()));
+  return place;
 }
 
 /// A ball of 8 x 4^levels triangles around the origin, its vertices at distance 1 in float.
