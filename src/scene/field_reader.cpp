@@ -1,0 +1,108 @@
+// Numbers and fields of a scene file.
+#include "scene/block_reader.h"
+#include "scene/number_reader.h"
+#include "scene/scene_words.h"
+
+namespace {
+
+bool readAny(std::string_view word, double& value) { return readDouble(word, value); }
+bool readAny(std::string_view word, float& value) { return readFloat(word, value); }
+
+}  // namespace
+
+template <class T>
+bool BlockReader::readNumberOf(std::string_view what, T& value) {
+  if (!readAny(word_, value)) {
+    reportBadNumber(what, "a number");
+    return false;
+  }
+  advance();
+  return true;
+}
+
+bool BlockReader::readNumber(std::string_view what, double& value) {
+  return readNumberOf(what, value);
+}
+bool BlockReader::readNumber(std::string_view what, float& value) {
+  return readNumberOf(what, value);
+}
+
+bool BlockReader::readWholeNumber(std::string_view what, int& value) {
+  if (!readInt(word_, value)) {
+    reportBadNumber(what, "a whole number");
+    return false;
+  }
+  advance();
+  return true;
+}
+
+/// Reports the current word, which should be a number, and passes over it unless it plainly
+/// belongs to what comes next.
+void BlockReader::reportBadNumber(std::string_view what, const std::string& kind) {
+  const std::string range = isNumber(word_) && kind == "a number" ? " within range" : "";
+  reportExpected(kind + range + " for " + std::string(what));
+  if (word_ == "{") {
+    skipBlock();
+  } else if (!atEnd() && word_ != "}" && !isKnownWord(word_)) {
+    advance();
+  }
+}
+
+bool BlockReader::readFields(std::string_view owner, FieldList fields) {
+  const std::size_t mistakesBefore = mistakeCount_;
+  const char* const start = at();
+  if (!openBlock(owner)) return false;
+  while (word_ != "}") {
+    Field* field = fields.first;
+    Field* const end = fields.first + fields.size;
+    while (field != end && !isWord(word_, field->name)) ++field;
+    if (field != end) {
+      readField(*field);
+    } else if (atEnd() || isBlockWord(word_)) {
+      closeBlock(owner);
+      return false;
+    } else {
+      skipUnknownField(owner, fields);
+    }
+  }
+  advance();
+  if (mistakeCount_ > mistakesBefore) return false;
+  for (const Field* field = fields.first; field != fields.first + fields.size; ++field) {
+    if (!field->isRequired || field->at) continue;
+    report(start, "expected " + std::string(field->name) + " in " + std::string(owner) +
+                      ", found none before its '}'");
+  }
+  return mistakeCount_ == mistakesBefore;
+}
+
+void BlockReader::readField(Field& field) {
+  advance();
+  const char* const place = at();
+  struct Reader {
+    BlockReader& in;
+    std::string_view name;
+    bool operator()(double* value) { return in.readNumber(name, *value); }
+    bool operator()(float* value) { return in.readNumber(name, *value); }
+    bool operator()(Vec3d* value) { return in.readVector(name, *value); }
+    bool operator()(Vec3f* value) { return in.readVector(name, *value); }
+    bool operator()(std::string_view* value) { return in.readName(name, *value); }
+  };
+  field.at = std::visit(Reader{*this, field.name}, field.target) ? place : nullptr;
+}
+
+bool BlockReader::readName(std::string_view what, std::string_view& name) {
+  if (atEnd() || word_ == "{" || word_ == "}") {
+    reportExpected("a file name for " + std::string(what));
+    return false;
+  }
+  name = word_;
+  advance();
+  return true;
+}
+
+void BlockReader::skipUnknownField(std::string_view owner, FieldList fields) {
+  std::string_view names[16];
+  const std::size_t count = fields.size < 16 ? fields.size : 16;
+  for (std::size_t i = 0; i < count; ++i) names[i] = fields.first[i].name;
+  skipUnknown(owner, WordList(names, count));
+}

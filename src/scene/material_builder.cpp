@@ -1,0 +1,70 @@
+// Materials of a scene file: the list of them, and which one holds for an object.
+#include "scene/scene_builder.h"
+#include "scene/scene_words.h"
+#include "shading/phong_material.h"
+
+void SceneBuilder::readMaterials() {
+  reportSecond("Materials", hasMaterials_);
+  if (hasGroup_) {
+    in_.report(in_.at(), "expected Materials before the first Group, found it after one");
+  }
+  in_.advance();
+  const std::size_t mistakesBefore = in_.mistakeCount();
+  const CountedBlock block{"Materials", "numMaterials", kMaterialWords, kMaterialWords};
+  const auto readItem = [this] {
+    scene_.materials_.push_back(readMaterial());
+    ++listedMaterials_;
+  };
+  readCounted(block, readItem, [] { return false; });
+  if (in_.mistakeCount() > mistakesBefore) areMaterialsSure_ = false;
+}
+
+std::unique_ptr<Material> SceneBuilder::readMaterial() {
+  const std::string_view owner = in_.word();
+  in_.advance();
+  Vec3f diffuse(1, 1, 1), specular, transparent, reflective;
+  float exponent = 1, index = 1;
+  Field fields[] = {
+      {"diffuseColor", &diffuse, false},       {"specularColor", &specular, false},
+      {"exponent", &exponent, false},          {"transparentColor", &transparent, false},
+      {"reflectiveColor", &reflective, false}, {"indexOfRefraction", &index, false}};
+  in_.readFields(owner, fields);
+  checkAtLeast(0, double(exponent), fields[2]);
+  checkAbove(0, double(index), fields[5]);
+  return std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
+                                         index);
+}
+
+/// A material written inside a Group, as in the course's older scenes.
+void SceneBuilder::readInlineMaterial() {
+  scene_.materials_.push_back(readMaterial());
+  material_ = scene_.materials_.back().get();
+}
+
+void SceneBuilder::readMaterialIndex() {
+  in_.advance();
+  const char* const at = in_.at();
+  int index = 0;
+  if (in_.readWholeNumber("MaterialIndex", index)) {
+    if (index >= 0 && index < listedMaterials_) {
+      material_ = scene_.materials_[std::size_t(index)].get();
+      return;
+    }
+    if (areMaterialsSure_) {
+      in_.report(at, "MaterialIndex out of range: expected one of " +
+                         std::to_string(listedMaterials_) + " materials, counted from 0, found " +
+                         in_.quotedAt(at));
+    }
+  }
+  isMaterialMissed_ = true;
+}
+
+/// True where a material holds for the object at `at`. That there is none is said once.
+bool SceneBuilder::checkMaterial(std::string_view owner, const char* at) {
+  if (material_) return true;
+  if (!isMaterialMissed_) {
+    in_.report(at, "expected a MaterialIndex before the first object, found " + quoted(owner));
+  }
+  isMaterialMissed_ = true;
+  return false;
+}

@@ -1,0 +1,109 @@
+// SceneBuilder: reads the words of a scene file and fills a SceneParser with what they say, by
+// recursive descent: one function for each block of the grammar.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/block_reader.h"
+#include "scene/mesh_library.h"
+#include "scene/scene_parser.h"
+
+class SceneBuilder {
+ public:
+  /// How deep Groups and Transforms may stand inside each other.
+  static constexpr int kMaxNesting = 1000;
+
+  /// All three must outlive the builder.
+  SceneBuilder(const SourceText& text, MistakeLog& log, SceneParser& scene);
+
+  /// Reads everything; mistakes go to the log.
+  void build();
+
+ private:
+  /// A block that begins with the count of what it holds.
+  struct CountedBlock {
+    std::string_view owner;      // "Group"
+    std::string_view countName;  // "numObjects"
+    WordList items;              // what is counted
+    WordList allowed;            // what may stand in the block
+  };
+
+  // Sections.
+  void readSection();
+  void readMisplaced();
+  void readCamera(bool isPerspective);
+  bool checkFrame(const Vec3d& direction, const Field& directionField, const Vec3d& up,
+                  const Field& upField);
+  void readLights();
+  void readLight();
+  void readBackground();
+  void reportSecond(std::string_view what, bool& isSeen);
+  void finish();
+
+  // Materials.
+  void readMaterials();
+  std::unique_ptr<Material> readMaterial();
+  void readInlineMaterial();
+  void readMaterialIndex();
+  bool checkMaterial(std::string_view owner, const char* at);
+
+  // Objects: each returns null where there was a mistake. The scene owns what they return.
+  const Object3D* readObject();
+  const Object3D* readGroup();
+  const Object3D* readTransform();
+  const Object3D* readSphere();
+  const Object3D* readPlane();
+  const Object3D* readTriangle();
+  const Object3D* readTriangleMesh();
+  template <class T>
+  const T* keep(std::unique_ptr<T> object);
+  bool isTooDeep();
+
+  // The inside of a Transform.
+  bool readSteps(Matrix& product);
+  bool readStep(Matrix& product);
+  const Object3D* readMovedObject(bool areStepsGood);
+
+  // Lists: `readItem` reads one counted item, whose name is the current word; `readOther` reads
+  // something that is not counted and returns true, or returns false where it is unknown.
+  void readCounted(const CountedBlock& block, const std::function<void()>& readItem,
+                   const std::function<bool()>& readOther);
+  bool readCount(const CountedBlock& block, int& count);
+  void readCountedItems(const CountedBlock& block, int expected, bool isSure,
+                        const std::function<void()>& readItem,
+                        const std::function<bool()>& readOther);
+
+  // Checks of values. A field without a good value passes: that mistake is reported already.
+  bool checkAbove(double bound, double value, const Field& field);
+  bool checkAtLeast(double bound, double value, const Field& field);
+  bool checkNotZero(const Vec3d& vector, const Field& field);
+  void warn(const char* at, const std::string& message);
+  void warnOfMesh(const MeshGeometry& geometry, const char* at);
+  void warnOfMoreFlatTriangles();
+
+  BlockReader in_;
+  SceneParser& scene_;
+  MeshLibrary meshes_;
+  std::vector<std::pair<std::size_t, std::string>> warnings_;  // with their place in the file
+  const Material* material_ = nullptr;                         // the current one; not owned
+  int listedMaterials_ = 0;
+  int depth_ = 0;
+  std::size_t flatTriangles_ = 0;
+  const char* lightsAt_ = nullptr;
+  bool hasCamera_ = false, hasLights_ = false, hasBackground_ = false, hasMaterials_ = false;
+  bool hasGroup_ = false;
+  bool hasMisplaced_ = false;  // something outside all sections: it may be a section's broken name
+  bool areMaterialsSure_ = true;  // false after a mistake among them: an index may be right
+  bool isMaterialMissed_ = false;
+};
+
+/// Gives the object to the scene.
+template <class T>
+const T* SceneBuilder::keep(std::unique_ptr<T> object) {
+  const T* const borrowed = object.get();
+  scene_.objects_.push_back(std::move(object));
+  return borrowed;
+}

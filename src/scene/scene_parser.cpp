@@ -1,0 +1,50 @@
+// SceneParser: reading from outside, and questions about the scene as a whole.
+#include "scene/scene_parser.h"
+
+#include <set>
+
+#include "geometry/triangle_mesh.h"
+#include "scene/mistake_log.h"
+#include "scene/scene_builder.h"
+#include "scene/source_text.h"
+
+SceneParser::SceneParser(const char* filename) {
+  const SourceText text = SourceText::read(filename);
+  MistakeLog log(MistakeLog::Mode::throwFirst);
+  SceneBuilder(text, log, *this).build();
+}
+
+SceneParser::~SceneParser() = default;
+
+std::vector<InputError> SceneParser::check(const char* filename) {
+  MistakeLog log(MistakeLog::Mode::collect);
+  try {
+    const SourceText text = SourceText::read(filename);
+    SceneParser scene;
+    SceneBuilder(text, log, scene).build();
+  } catch (const InputError& unreadable) {
+    return {unreadable};
+  } catch (const MistakeLog::Full&) {
+    // There are more, but those found are enough to go on with.
+  }
+  return log.inOrder();
+}
+
+double SceneParser::getSpan() const {
+  BoundingBox box;
+  group_.addBounds(Matrix(), box);
+  return box.longestSide();
+}
+
+void SceneParser::findClosedMeshes() {
+  std::set<const MeshGeometry*> wanted;
+  for (const auto& object : objects_) {
+    const auto* mesh = dynamic_cast<const TriangleMesh*>(object.get());
+    if (mesh && anyPositive(mesh->getMaterial()->getTransparentColor())) {
+      wanted.insert(&mesh->getGeometry());
+    }
+  }
+  for (const auto& mesh : meshes_) {
+    if (wanted.count(mesh.get()) > 0) mesh->findWhetherClosed();
+  }
+}

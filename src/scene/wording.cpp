@@ -1,0 +1,71 @@
+// Showing words of the input in messages, and guessing which word was meant.
+#include "scene/wording.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+constexpr std::size_t kLongestGuess = 31;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
+
+/// Least number of letters to change, add or leave out to turn a into b, both at most
+/// kLongestGuess long. Source: Levenshtein, 1966, by rows.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::array<std::size_t, kLongestGuess + 1> row{};
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
+      diagonal = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+bool WordList::contains(std::string_view word) const {
+  return std::find(begin(), end(), word) != end();
+}
+
+std::string quoted(std::string_view word, std::size_t limit) {
+  constexpr char kHex[] = "0123456789abcdef";
+  std::string text = "'";
+  for (const char c : word.substr(0, limit)) {
+    const unsigned byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      text += c;
+    } else {
+      text += {'\\', 'x', kHex[byte / 16], kHex[byte % 16]};
+    }
+  }
+  return text + (word.size() > limit ? "...'" : "'");
+}
+
+std::string_view nearestWord(std::string_view word, WordList allowed) {
+  std::string_view nearest;
+  if (word.size() > kLongestGuess) return nearest;
+  std::size_t least = std::max(word.size() / 3, std::size_t(1)) + 1;
+  for (const std::string_view candidate : allowed) {
+    if (candidate.size() > kLongestGuess) continue;
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= least || distance >= candidate.size()) continue;
+    least = distance;
+    nearest = candidate;
+  }
+  return nearest;
+}
+
+std::string listed(WordList words) {
+  std::string text;
+  for (const std::string_view* word = words.begin(); word != words.end(); ++word) {
+    if (word != words.begin()) text += word + 1 == words.end() ? " or " : ", ";
+    text += *word;
+  }
+  return text;
+}

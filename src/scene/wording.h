@@ -1,0 +1,31 @@
+// Wording: how messages show words of the input, and which word was probably meant.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// Some words in a row; a view of an array that outlives it.
+class WordList {
+ public:
+  WordList(const std::string_view* first, std::size_t size) : first_(first), size_(size) {}
+  template <std::size_t size>
+  WordList(const std::string_view (&words)[size]) : WordList(words, size) {}
+
+  const std::string_view* begin() const { return first_; }
+  const std::string_view* end() const { return first_ + size_; }
+  bool contains(std::string_view word) const;
+
+ private:
+  const std::string_view* first_;
+  std::size_t size_;
+};
+
+/// `word` in quotes, at most `limit` bytes of it, with bytes that do not print escaped as \xHH.
+std::string quoted(std::string_view word, std::size_t limit = 40);
+
+/// The word of `allowed` that `word` is probably a slip of; empty where none is near. Near means
+/// a third of its letters may be wrong, missing or added; upper and lower case count as equal.
+std::string_view nearestWord(std::string_view word, WordList allowed);
+
+/// "a, b or c".
+std::string listed(WordList words);
