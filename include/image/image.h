@@ -9,8 +9,8 @@
 
 struct Rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
-  friend bool operator==(Rgb8 a, Rgb8 b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
-  friend bool operator!=(Rgb8 a, Rgb8 b) { return !(a == b); }
+  friend bool operator==(Rgb8 p, Rgb8 q) { return p.r == q.r && p.g == q.g && p.b == q.b; }
+  friend bool operator!=(Rgb8 p, Rgb8 q) { return !(p == q); }
 };
 
 /// int(component * 255) clamped to 0..255: truncated, not rounded. NaN becomes 0.

@@ -1,0 +1,27 @@
+// PNG: reads pictures of 8 bits per sample, not interlaced.
+// Source: Boutell et al., PNG Specification, version 1.0 (RFC 2083), 1997; RFC 1950 and 1951.
+#pragma once
+#include <string>
+
+#include "image/bytes.h"
+#include "image/image.h"
+
+/// True where the bytes begin with PNG's signature.
+bool isPng(const Bytes& bytes);
+
+/// Reads 8 bits per sample of every colour type: grey, RGB, palette, grey and alpha, RGBA. Alpha
+/// (and tRNS) is dropped, gamma and other ancillary chunks are skipped. CRC-32, Adler-32, chunk
+/// order and lengths are checked; what follows IEND is ignored. Errors: 1, 2, 4 and 16 bits and
+/// interlaced pictures ("not supported"), an unknown critical chunk, a palette index out of range,
+/// more or less data than the picture needs.
+/// `name` is the file, for messages. Memory is asked for only when the input is long enough to
+/// hold the picture (deflate expands at most 1032 : 1), and grows as it is decoded.
+/// Throws ImageError.
+Image decodePng(const Bytes& bytes, const std::string& name);
+
+/// Reads a file by decodePng. Throws ImageError.
+Image readPng(const std::string& path);
+
+/// Reads a picture of either kind: PNG where the content begins with its signature, else TGA,
+/// whatever the file is called. Throws ImageError.
+Image readImage(const std::string& path);

@@ -1,0 +1,118 @@
+// TemporaryNames: the signal handler that leaves no temporary file, and what it reads.
+// The one exception to "no globals": a signal handler receives nothing but a number, and may use
+// neither locks nor the heap, so that what it needs can only stand in static memory.
+#include "image/temporary_names.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+
+#include "image/output_file.h"
+
+namespace {
+
+constexpr int kMostTemporaries = 16;  // outputs open at once; a run has a handful
+
+struct Slot {
+  std::atomic<bool> taken{false};
+  char name[PATH_MAX] = {};
+};
+
+Slot slots[kMostTemporaries];
+std::atomic<bool> changing{false};  // a thread is creating a file and noting its name
+std::atomic<bool> ending{false};    // a handler has begun: nothing may be created any more
+static_assert(std::atomic<bool>::is_always_lock_free, "used in a signal handler");
+
+/// Blocks all signals in this thread and keeps handlers in other threads waiting, so that a file
+/// is created and noted, or neither.
+class NoSignalsHere {
+ public:
+  NoSignalsHere() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+    while (changing.exchange(true) || ending) {
+      if (!ending) continue;
+      changing = false;  // which the handler, in another thread, waits for
+      pause();           // until its _exit
+    }
+  }
+  ~NoSignalsHere() {
+    changing = false;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoSignalsHere(const NoSignalsHere&) = delete;
+  NoSignalsHere& operator=(const NoSignalsHere&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+extern "C" void removeAndEnd(int signal) {
+  ending = true;
+  while (changing) {
+  }
+  for (const Slot& slot : slots) {
+    if (slot.taken) unlink(slot.name);
+  }
+  _exit(128 + signal);
+}
+
+/// For crashes: SA_RESETHAND has put the default action back, which the second signal meets.
+extern "C" void removeAndCrash(int signal) {
+  for (const Slot& slot : slots) {
+    if (slot.taken) unlink(slot.name);
+  }
+  raise(signal);
+}
+
+void install(int signal, void (*handler)(int), int flags) {
+  struct sigaction before = {};
+  sigaction(signal, nullptr, &before);
+  if (before.sa_handler == SIG_IGN) return;  // nohup, or a background job of a plain shell
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigfillset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+int createTemporary(const std::string& name, unsigned permissions, int& slot) {
+  const NoSignalsHere guard;
+  errno = EMFILE;
+  int free = 0;
+  while (free < kMostTemporaries && slots[free].taken) ++free;
+  if (free == kMostTemporaries) return -1;
+  errno = ENAMETOOLONG;
+  if (name.size() >= sizeof slots[free].name) return -1;
+  const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+  if (descriptor < 0) return -1;
+  std::memcpy(slots[free].name, name.c_str(), name.size() + 1);
+  slots[free].taken = true;
+  slot = free;
+  return descriptor;
+}
+
+void forgetTemporary(int slot) { slots[slot].taken = false; }
+
+void waitIfEnding() {
+  while (ending) pause();
+}
+
+void removeTemporaryOnSignals() {
+  for (const int signal :
+       {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU}) {
+    install(signal, removeAndEnd, 0);
+  }
+  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGTRAP, SIGSYS}) {
+    install(signal, removeAndCrash, static_cast<int>(SA_RESETHAND));
+  }
+  for (const int signal : {SIGPIPE, SIGXFSZ}) install(signal, SIG_IGN, 0);
+}

@@ -1,0 +1,42 @@
+// TGA writer.
+#include <algorithm>
+#include <cassert>
+
+#include "image/output_file.h"
+#include "image/tga.h"
+
+namespace {
+constexpr int kLongestSide = 65535;  // 16 bits in the header
+}
+
+Bytes encodeTga(const Image& image) {
+  const auto width = static_cast<unsigned>(image.Width());
+  const auto height = static_cast<unsigned>(image.Height());
+  assert(width >= 1 && width <= kLongestSide && height >= 1 && height <= kLongestSide);
+  Bytes bytes(18);
+  bytes[2] = 2;  // true colour, not compressed
+  bytes[12] = static_cast<std::uint8_t>(width & 255);
+  bytes[13] = static_cast<std::uint8_t>(width >> 8);
+  bytes[14] = static_cast<std::uint8_t>(height & 255);
+  bytes[15] = static_cast<std::uint8_t>(height >> 8);
+  bytes[16] = 24;
+  bytes[17] = 0x20;  // the top row comes first
+  bytes.reserve(18 + std::size_t{3} * width * height);
+  for (int y = image.Height() - 1; y >= 0; --y) {
+    for (int x = 0; x < image.Width(); ++x) {
+      const Rgb8 pixel = image.getPixel(x, y);
+      bytes.insert(bytes.end(), {pixel.b, pixel.g, pixel.r});
+    }
+  }
+  return bytes;
+}
+
+void writeTga(const Image& image, const std::string& path) {
+  if (std::max(image.Width(), image.Height()) > kLongestSide) {
+    throw OutputError(path, "a TGA image is at most 65535 pixels wide and high, this one is " +
+                                std::to_string(image.Width()) + " x " +
+                                std::to_string(image.Height()));
+  }
+  const Bytes bytes = encodeTga(image);
+  writeFile(path, bytes.data(), bytes.size());
+}
