@@ -1,10 +1,12 @@
 // The one function that decides whether a ray hits a triangle, and where.
 //
-// With the vertices taken relative to the ray's origin, the edge from a to b is passed on the side
-// that (b x a) . d has the sign of. The two triangles of a shared edge compute it from the same
-// numbers, once as b x a and once as a x b, which differ in sign exactly; zero counts as inside.
-// So no ray passes between them. Source of the edge functions: Woop, Benthin and Wald, "Watertight
-// Ray/Triangle Intersection", 2013; here in double, without their shear.
+// The vertices are taken relative to the ray's origin and moved along its direction onto a plane,
+// where the ray is the point (0, 0): a vertex lands at the same place for all triangles that share
+// it. On which side of an edge (0, 0) lies is then decided without any rounding error, and (0, 0)
+// on the edge counts as inside: no ray passes between two triangles, nor through a vertex, where
+// the rounded signs of many edges would have to agree. Source: Woop, Benthin and Wald, "Watertight
+// Ray/Triangle Intersection", 2013; the exact product is Dekker's, "A Floating-Point Technique for
+// Extending the Available Precision", 1971.
 #pragma once
 #include <algorithm>
 
@@ -28,8 +30,11 @@ inline double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t);
 
 /// Like intersect, but a ray through a shared edge or vertex crosses exactly one of the triangles
-/// on each side of the surface: ties are broken as if the direction were turned by (e, e^2, e^3)
-/// for an e too small to matter. Source: Edelsbrunner and Muecke, "Simulation of Simplicity", 1990.
-bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t);
+/// on each side of the surface: ties are broken as if the ray were moved by (e, e^2) on the plane
+/// for an e too small to matter. `leaving` tells whether it goes out along the normal; over all
+/// faces of a closed mesh, in front and behind, leaving and entering crossings are equally many.
+/// Source: Edelsbrunner and Muecke, "Simulation of Simplicity", 1990.
+bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t,
+             bool& leaving);
 
 }  // namespace triangle

@@ -37,8 +37,8 @@ bool Triangle::occluded(const Ray& ray, double tmin, double tmax) const {
 void Triangle::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
   const auto& [a, b, c] = vertices_;
   double t;
-  if (!triangle::crosses(a, b, c, ray, t) || !(t > 0)) return;
-  const bool leaving = dot(triangle::areaNormal(a, b, c), ray.getDirection()) > 0;
+  bool leaving;
+  if (!triangle::crosses(a, b, c, ray, t, leaving) || !(t > 0)) return;
   visitor.visit({t, this, material_, false, leaving});
 }
 

@@ -27,8 +27,8 @@ void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor
   const Vec3d a = geometry_->corner(face, 0), b = geometry_->corner(face, 1),
               c = geometry_->corner(face, 2);
   double t;
-  if (!triangle::crosses(a, b, c, ray, t) || !(t > 0)) return;
-  const bool leaving = dot(triangle::areaNormal(a, b, c), ray.getDirection()) > 0;
+  bool leaving;
+  if (!triangle::crosses(a, b, c, ray, t, leaving) || !(t > 0)) return;
   visitor.visit({t, this, material_, geometry_->isClosed(), leaving});
 }
 

@@ -1,0 +1,181 @@
+// -transparent_shadows: light is multiplied by transparentColor^length inside each transparent
+// object on its way, and once by the colour of an open one.
+#include "scene_text.h"
+#include "vectors.h"
+
+using scene_text::parse;
+
+namespace {
+
+/// White ground y = 0 under a white sun, or a white lamp where its height is given, and glass. The
+/// materials: 0 the ground, 1 glass (0.5, 0.25, 1), 2 glass (0.25, 1, 0.5), 3 opaque black.
+std::string underGlass(int count, const std::string& objects, double lamp = 0) {
+  const std::string light =
+      lamp > 0 ? "PointLight { position 0 " + scene_text::word(lamp) + " 0 color 1 1 1 }"
+               : "DirectionalLight { direction 0 -1 0 color 1 1 1 }";
+  return "Lights { numLights 1 " + light +
+         " }"
+         "Background { color 0 0 0 ambientLight 0 0 0 }"
+         "Materials { numMaterials 4 PhongMaterial { diffuseColor 1 1 1 }"
+         "  PhongMaterial { diffuseColor 1 1 1 transparentColor 0.5 0.25 1 indexOfRefraction 3 }"
+         "  PhongMaterial { diffuseColor 0 0 0 transparentColor 0.25 1 0.5 }"
+         "  PhongMaterial { diffuseColor 0 0 0 } }"
+         "Group { numObjects " +
+         std::to_string(count + 1) +
+         "  MaterialIndex 0 Plane { normal 0 1 0 offset 0 } MaterialIndex 1 " + objects + "}";
+}
+
+/// A cube of side 2 as an OBJ file, closed, faces outwards; `faces` of its six sides.
+std::string cubeFile(int faces) {
+  const char* const sides[] = {"1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"};
+  std::string text;
+  for (int x : {-1, 1})
+    for (int y : {-1, 1})
+      for (int z : {-1, 1})
+        text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+  for (int i = 0; i < faces; ++i) text += std::string("f ") + sides[i] + "\n";
+  return scene_text::write(text, ".obj");
+}
+
+const Epsilon kCourse{Epsilon::Kind::fixed, Epsilon::kCourse},
+    kAdaptive{Epsilon::Kind::adaptive, 0};
+
+/// The light at (x, 0, 0), seen from close by, with no secondary rays.
+Vec3f lightAt(const SceneParser& scene, double x, const Epsilon& epsilon, bool tint = true) {
+  RenderOptions options = scene_text::bouncing(0);
+  options.transparentShadows = tint;
+  options.epsilon = epsilon;
+  return scene_text::colorTowards(scene, {x + 0.3, 0.4, 0.1}, {x, 0, 0}, options);
+}
+
+/// Checks the light at (x, 0, 0) for both kinds of epsilon.
+void checkLight(const std::string& text, double x, const Vec3d& expected) {
+  SceneParser scene = parse(text);
+  scene.findClosedMeshes();
+  CHECK_NEAR_VECTOR(lightAt(scene, x, kCourse), expected, 1e-6);
+  CHECK_NEAR_VECTOR(lightAt(scene, x, kAdaptive), expected, 1e-6);
+}
+
+Vec3d glass(double length) { return {std::pow(0.5, length), std::pow(0.25, length), 1}; }
+Vec3d otherGlass(double length) { return {std::pow(0.25, length), 1, std::pow(0.5, length)}; }
+
+const char* const kBall = "Sphere { center 0 5 0 radius 1 }";
+
+}  // namespace
+
+TEST("a glass ball dims the light by its colour to the power of the chord") {
+  checkLight(underGlass(1, kBall), 0, glass(2));
+  checkLight(underGlass(1, kBall), 0.6, glass(1.6));    // half chord sqrt(1 - 0.36)
+  checkLight(underGlass(1, kBall), 0.96, glass(0.56));  // sqrt(1 - 0.9216) = 0.28
+  checkLight(underGlass(1, kBall), 1.01, {1, 1, 1});
+}
+
+TEST("without the option glass blocks the light") {
+  const SceneParser scene = parse(underGlass(1, kBall));
+  CHECK_EQUAL(lightAt(scene, 0, kCourse, false), Vec3f());
+  CHECK_EQUAL(lightAt(scene, 0, kAdaptive, false), Vec3f());
+  CHECK_EQUAL(lightAt(scene, 1.01, kCourse, false), Vec3f(1, 1, 1));
+}
+
+TEST("an opaque object still blocks, before, behind and inside glass") {
+  for (const char* center : {"0 2 0", "0 5 0", "0 9 0"}) {
+    const std::string opaque =
+        std::string("MaterialIndex 3 Sphere { center ") + center + " radius 0.5 }";
+    checkLight(underGlass(2, kBall + opaque), 0, {0, 0, 0});
+    checkLight(underGlass(2, kBall + opaque), 0.6, glass(1.6));
+  }
+}
+
+TEST("nested objects multiply each on its own") {
+  const std::string inner = "MaterialIndex 2 Sphere { center 0 5 0 radius 0.5 }";
+  checkLight(underGlass(2, kBall + inner), 0, glass(2) * otherGlass(1));
+}
+
+TEST("overlapping objects multiply each on its own") {
+  const std::string other = "MaterialIndex 2 Sphere { center 0 6 0 radius 1 }";
+  checkLight(underGlass(2, kBall + other), 0, glass(2) * otherGlass(2));
+}
+
+TEST("two balls of the same glass at the same place multiply twice") {
+  checkLight(underGlass(2, std::string(kBall) + kBall), 0, glass(4));
+}
+
+TEST("a ball in Transforms counts its length in world units") {
+  checkLight(underGlass(1,
+                        "Transform { Translate 0 9 0 Scale 2 3 2 ZRotate 90"
+                        "  Sphere { center 0 0 0 radius 1 } }"),
+             0, glass(6));
+  checkLight(underGlass(1,
+                        "Transform { Translate 0 9 0 Scale 1 -2 1"
+                        "  Sphere { center 0 0 0 radius 1 } }"),
+             0.6, glass(3.2));
+}
+
+TEST("a closed mesh dims by length, also where the light goes through its edges") {
+  const std::string mesh = "TriangleMesh { obj_file " + cubeFile(6) + " }";
+  const std::string raised = "Transform { Translate 0 5 0 " + mesh + " }";
+  checkLight(underGlass(1, raised), 0, glass(2));  // through the diagonals of both sides
+  checkLight(underGlass(1, raised), 0.3, glass(2));
+  checkLight(underGlass(1, raised), 1.01, {1, 1, 1});
+  // On its corner: the light runs from corner to corner, sqrt(12) long.
+  checkLight(underGlass(1, "Transform { Translate 0 5 0 ZRotate 54.735610317245346 YRotate 45 " +
+                               mesh + " }"),
+             0, glass(std::sqrt(12.0)));
+}
+
+TEST("a mesh that is not closed multiplies once for every face that the light crosses") {
+  const std::string mesh = "TriangleMesh { obj_file " + cubeFile(5) + " }";
+  const std::string raised = "Transform { Translate 0 5 0 " + mesh + " }";
+  checkLight(underGlass(1, raised), 0.3, glass(2));  // two faces, by chance as for a length of 2
+  checkLight(underGlass(1, "Transform { Translate 0 5 0 Scale 1 3 1 " + mesh + " }"), 0.3,
+             glass(2));
+}
+
+TEST("an open triangle and a plane multiply once") {
+  const std::string triangle = "Triangle { vertex0 -5 3 -5 vertex1 5 3 -5 vertex2 0 3 9 }";
+  checkLight(underGlass(1, triangle), 0, glass(1));
+  checkLight(underGlass(2, triangle + "MaterialIndex 2 Plane { normal 1 1 0 offset 8 }"), 0,
+             glass(1) * otherGlass(1));
+}
+
+TEST("a lamp inside a glass ball shines through what lies before it") {
+  checkLight(underGlass(1, kBall, 5), 0, glass(1));
+  checkLight(underGlass(1, kBall, 5.5), 0, glass(1.5));
+  checkLight(underGlass(1, kBall, 3.9), 0, {1, 1, 1});
+  checkLight(underGlass(1, kBall, 6.1), 0, glass(2));
+  const std::string mesh = "TriangleMesh { obj_file " + cubeFile(6) + " }";
+  checkLight(underGlass(1, "Transform { Translate 0 5 0 " + mesh + " }", 5.25), 0, glass(1.25));
+}
+
+TEST("ground inside a glass ball has the stretch up to its surface") {
+  checkLight(underGlass(1, "Sphere { center 0 0 0 radius 2 }"), 0, glass(2));
+  checkLight(underGlass(1, "Sphere { center 0 0 0 radius 2 }"), 1.2, glass(1.6));
+}
+
+TEST("the glass's own surface is lit without any stretch on its outside") {
+  SceneParser scene = parse(underGlass(1, kBall));
+  RenderOptions options = scene_text::bouncing(0);
+  options.transparentShadows = true;
+  for (const Epsilon& epsilon : {kCourse, kAdaptive}) {
+    options.epsilon = epsilon;
+    const Vec3f top = scene_text::colorTowards(scene, {0, 9, 0}, {0, 5, 0}, options);
+    CHECK_NEAR_VECTOR(top, Vec3d(1, 1, 1), 1e-6);
+    // At normal (0.6, 0.8, 0), seen along it.
+    const Vec3f slope = scene_text::colorTowards(scene, {3, 9, 0}, {0, 5, 0}, options);
+    CHECK_NEAR_VECTOR(slope, Vec3d(0.8, 0.8, 0.8), 1e-6);
+  }
+}
+
+TEST("the glass's own inside is lit through the stretch above it") {
+  SceneParser scene = parse(underGlass(1, kBall));
+  RenderOptions options = scene_text::bouncing(0);
+  options.transparentShadows = options.shadeBack = true;
+  for (const Epsilon& epsilon : {kCourse, kAdaptive}) {
+    options.epsilon = epsilon;
+    const Vec3f bottom = scene_text::colorTowards(scene, {0, 5, 0}, {0, 4, 0}, options);
+    CHECK_NEAR_VECTOR(bottom, glass(2), 1e-6);
+    // At (0.6, 4.2, 0): the normal turned inwards is (-0.6, 0.8, 0), the chord above it 1.6.
+    const Vec3f slope = scene_text::colorTowards(scene, {0, 5, 0}, {0.6, 4.2, 0}, options);
+    CHECK_NEAR_VECTOR(slope, glass(1.6) * 0.8, 1e-6);
+  }
+}
