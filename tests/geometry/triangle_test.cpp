@@ -176,3 +176,18 @@ TEST("however flat the ray strikes, t stays within the range of the vertices") {
   CHECK(hits > 1000);
   CHECK_EQUAL(cases.firstFailure(), "");
 }
+
+TEST("the side of an edge is decided without rounding") {
+  // Seen along z the edge runs from p to -q with p = (1 + h, 1), q = (1, 1 - h), h = 2^-30. The
+  // products (1 + h)(1 - h) and 1 round to the same double, but differ by h^2: the ray passes to
+  // the left of the edge.
+  const double h = 0x1p-30;
+  const Vec3d p(1 + h, 1, 1), q(-1, -(1 - h), 1);
+  const Triangle left(p, q, {1, -2, 1}, &kMaterial), right(q, p, {-2, 1, 1}, &kMaterial);
+  const Ray ray({0, 0, 0}, {0, 0, 1});
+  Hit hit, none;
+  CHECK(left.intersect(ray, hit, 0) != right.intersect(ray, none, 0));
+  CHECK(left.occluded(ray, 0, kInf));
+  CHECK_EQUAL(shapes::CrossingList(left, ray).size(), 1);
+  CHECK_EQUAL(shapes::CrossingList(right, ray).size(), 0);
+}

@@ -108,7 +108,7 @@ TEST("with adaptive epsilon no ray meets the plane or triangle it leaves, howeve
     const Triangle triangle(on - side * size, on + side * size, on + cross(normal, side) * size,
                             &kMirror);
     const Object3D& object = i % 2 ? static_cast<const Object3D&>(plane) : triangle;
-    const double slope = random.logUniform(1e-6, 1);
+    const double slope = random.logUniform(1e-12, 1);
     const Vec3d target = on + cross(normal, side) * (size * random.uniform(0.1, 0.5));
     const Vec3d toward = normalize(side - normal * slope);
     Ray ray(target - toward * (size * random.uniform(0.1, 10)), toward);
@@ -229,4 +229,25 @@ TEST("a chosen epsilon does not ask for the span") {
   options.epsilon = {Epsilon::Kind::fixed, 0.0001};
   CHECK(!startsAtOneThousandth(ball(10), 1, options));
   CHECK(!startsAtOneThousandth(ball(10), 1, adaptive()));
+}
+
+TEST("mirror and refracted rays pass what lies nearer than a chosen epsilon") {
+  // A mirror and clear glass of index 1 at y = 0, black planes 0.0005 above and below it.
+  const auto between = [](const std::string& field, double epsilon, double eye) {
+    const SceneParser scene = scene_text::parse(
+        "Background { color 0.25 0.5 0.75 } Materials { numMaterials 2 PhongMaterial {"
+        "  diffuseColor 0 0 0 " +
+        field +
+        " 1 1 1 } PhongMaterial { diffuseColor 0 0 0 } }"
+        "Group { numObjects 2 MaterialIndex 0 Plane { normal 0 1 0 offset 0 }"
+        "  MaterialIndex 1 Plane { normal 0 1 0 offset 0.0005 } }");
+    RenderOptions options;
+    options.epsilon = {Epsilon::Kind::fixed, epsilon};
+    return scene_text::colorTowards(scene, {0, eye, 0}, {0, 0, 0}, options);
+  };
+  const Vec3f background(0.25f, 0.5f, 0.75f);
+  CHECK_EQUAL(between("reflectiveColor", 0.001, 0.0003), background);
+  CHECK_EQUAL(between("reflectiveColor", 0.0001, 0.0003), Vec3f());
+  CHECK_EQUAL(between("transparentColor", 0.001, -1), background);
+  CHECK_EQUAL(between("transparentColor", 0.0001, -1), Vec3f());
 }

@@ -191,6 +191,22 @@ TEST("a mirror ray is traced as long as its weight is not below the least") {
   CHECK_EQUAL(betweenMirrors("0.5 0 0", 9, 0.125f).r(), 0.9375f);
 }
 
+TEST("refracted rays stop by weight as mirror rays do") {
+  // Three sheets of air, each shining with 0.5 and letting half of the red through.
+  const SceneParser scene = parse(
+      "Background { color 0 0 0 ambientLight 0 0 0 } Materials { numMaterials 1"
+      "  PhongMaterial { diffuseColor 0.5 0 0 transparentColor 0.5 0 0 } }"
+      "Group { numObjects 3 MaterialIndex 0 Plane { normal 0 0 1 offset 0 }"
+      "  Plane { normal 0 0 1 offset -1 } Plane { normal 0 0 1 offset -2 } }");
+  const float weights[4] = {0.51f, 0.5f, 0.26f, 0.25f};
+  const float expected[4] = {0.5f, 0.75f, 0.75f, 0.875f};
+  for (int i = 0; i < 4; ++i) {
+    RenderOptions options = bouncing(9);
+    options.minWeight = weights[i];
+    CHECK_EQUAL(colorTowards(scene, {0, 0, 1}, {0, 0, 0}, options).r(), expected[i]);
+  }
+}
+
 TEST("the weight is the length of the colour, so a white mirror never fades") {
   // |(0.3, 0.4, 0)| = 0.5.
   CHECK_NEAR(betweenMirrors("0.3 0.4 0", 1, 0.499f).r(), 0.65, 1e-7);

@@ -140,8 +140,8 @@ TEST("depth is white at MIN, black at MAX, truncated between, black on a miss") 
 }
 
 TEST("depth with MIN beyond MAX is turned round") {
-  const SceneParser scene = whiteShapes(1, 1, "Sphere { center 0 0 3 radius 1 }");  // t = 5
-  Image depth(1, 1);
+  const SceneParser scene = whiteShapes(4, 1, "Sphere { center -1 0 3 radius 1 }");  // t = 5
+  Image depth(2, 1);
   RenderTargets targets;
   targets.depth = &depth;
   targets.depthMin = 9;
@@ -149,6 +149,7 @@ TEST("depth with MIN beyond MAX is turned round") {
   render(scene, *scene.getGroup(), RenderOptions(), 1, targets);
   // (4 - 5) / (4 - 9) = 0.2: 51 less rounding.
   CHECK_NEAR(depth.getPixel(0, 0).r, 51, 1);
+  CHECK_EQUAL(depth.getPixel(1, 0), Rgb8());  // a miss is black all the same
 }
 
 TEST("depth counts along the unit ray, not along the camera's axis") {

@@ -179,3 +179,35 @@ TEST("the glass's own inside is lit through the stretch above it") {
     CHECK_NEAR_VECTOR(slope, glass(1.6) * 0.8, 1e-6);
   }
 }
+
+TEST("only opaque objects before the lamp block it, whatever stands behind") {
+  const std::string far = "MaterialIndex 3 Sphere { center 0 9 0 radius 0.5 }";
+  const std::string near = "MaterialIndex 3 Sphere { center 0 2 0 radius 0.5 }";
+  checkLight(underGlass(2, kBall + far, 7), 0, glass(2));
+  checkLight(underGlass(3, kBall + near + far, 7), 0, {0, 0, 0});
+  checkLight(underGlass(3, kBall + far + near, 7), 0, {0, 0, 0});
+}
+
+TEST("an opaque object nearer than epsilon does not block") {
+  const SceneParser scene =
+      parse(underGlass(1, "MaterialIndex 3 Plane { normal 0 1 0 offset 0.0005 }"));
+  RenderOptions options;
+  options.transparentShadows = true;
+  for (double epsilon : {0.001, 0.0001}) {
+    options.epsilon = {Epsilon::Kind::fixed, epsilon};
+    const Vec3f found = scene_text::colorTowards(scene, {0, 0.0003, 0}, {0, 0, 0}, options);
+    CHECK_EQUAL(found, epsilon > 0.0005 ? Vec3f(1, 1, 1) : Vec3f());
+  }
+}
+
+TEST("a closed mesh that is inside out dims as one that is not") {
+  const std::string inverted = scene_text::write(
+      "v 0 -1 -1\nv 1 -1 1\nv -1 -1 1\nv 0 1 0\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", ".obj");
+  const std::string upright = scene_text::write(
+      "v 0 -1 -1\nv 1 -1 1\nv -1 -1 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n", ".obj");
+  for (const std::string& file : {inverted, upright}) {
+    checkLight(
+        underGlass(1, "Transform { Translate 0 5 0 TriangleMesh { obj_file " + file + " } }"), 0,
+        glass(2));  // from the apex straight down to the base
+  }
+}

@@ -116,3 +116,10 @@ TEST("random highlights equal the formula in long double") {
   CHECK(cases.tried() > 15000);
   CHECK_EQUAL(cases.firstFailure(), "");
 }
+
+TEST("light that only grazes the surface gives no highlight") {
+  // v = (0.6, -0.8, 0), l = (1, 0, 0): n.l = 0 although r.l = 0.6.
+  const PhongMaterial material = phong(kDiffuse, kSpecular, 1);
+  const Ray ray({0, 0, 0}, {0.6, -0.8, 0});
+  CHECK_EQUAL(material.Shade(ray, Hit(1, &material, {0, 1, 0}), {1, 0, 0}, {1, 1, 1}), Vec3f());
+}
