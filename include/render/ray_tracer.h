@@ -25,11 +25,11 @@ class RayTracer {
               float indexOfRefraction) const;
 
  private:
-  Vec3f ambient(const Hit& hit) const;
-  Vec3f lights(const Ray& ray, const Hit& hit) const;
-  Vec3f mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
+  Vec3d ambient(const Hit& hit) const;
+  Vec3d lights(const Ray& ray, const Hit& hit) const;
+  Vec3d mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
                float indexOfRefraction) const;
-  Vec3f transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const;
+  Vec3d transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const;
 
   bool mayTrace(const Vec3f& color, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const Vec3d& dirToLight, double distance) const;

@@ -11,7 +11,7 @@
 namespace {
 
 void append(Bytes& bytes, const Bytes& more) {
-  bytes.insert(bytes.end(), more.begin(), more.end());
+  for (const std::uint8_t byte : more) bytes.push_back(byte);
 }
 
 Bytes bigEndian(std::uint32_t value) {
