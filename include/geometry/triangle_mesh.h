@@ -15,6 +15,9 @@ class TriangleMesh : public Object3D {
   /// Like Sphere::nearestRoot, for one face.
   bool nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax, double& t) const;
   void setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const;
+  /// The same, for a caller who has the face's corners at hand.
+  void setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray,
+              double t, Hit& hit) const;
   /// Reports the crossing with one face, if there is one at t > 0.
   void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const;
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <new>
 
+#include "accel/compiled_scene.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "render/renderer.h"
@@ -54,7 +55,13 @@ void renderAll(const SceneParser& scene, const Options& options, std::vector<Out
   }
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
-  render(scene, *scene.getGroup(), options.render, threadCount(options), targets);
+  const int threads = threadCount(options);
+  if (options.accel == Options::Accel::tree) {
+    render(scene, *scene.getGroup(), options.render, threads, targets);
+  } else {
+    const CompiledScene compiled(*scene.getGroup(), threads, SimdLevel::automatic);
+    render(scene, compiled, options.render, threads, targets);
+  }
 }
 
 int renderScene(const Options& options) {

@@ -17,8 +17,12 @@ bool TriangleMesh::nearestRoot(std::uint32_t face, const Ray& ray, double tmin, 
 }
 
 void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const {
-  const Vec3d a = geometry_->corner(face, 0), b = geometry_->corner(face, 1),
-              c = geometry_->corner(face, 2);
+  setHit(face, geometry_->corner(face, 0), geometry_->corner(face, 1), geometry_->corner(face, 2),
+         ray, t, hit);
+}
+
+void TriangleMesh::setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c,
+                          const Ray& ray, double t, Hit& hit) const {
   hit.set(t, material_, normalize(triangle::areaNormal(a, b, c)), ray);
   hit.setPrimitive(this, face, ray, triangle::extent(a, b, c));
 }

@@ -1,0 +1,39 @@
+// CompiledScene: the whole scene as one Object3D that answers fast.
+// It gives exactly the answers of the objects it was made from: same t, material, normal.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "geometry/object3d.h"
+
+/// Which instruction set the kernels use.
+enum class SimdLevel { automatic, baseline, avx2, avx512 };
+
+/// The best level that this processor has, at most `wanted` where that is not `automatic`.
+SimdLevel availableSimd(SimdLevel wanted);
+/// "baseline", "avx2" or "avx512" (for `automatic`, "auto").
+const char* nameOf(SimdLevel level);
+
+class CompiledScene : public Object3D {
+ public:
+  /// Compiles everything below `root` with `threads` >= 1 threads. `root` and what it holds are
+  /// not owned, must outlive the compiled scene and must not change any more.
+  CompiledScene(const Object3D& root, int threads, SimdLevel simd = SimdLevel::automatic);
+  ~CompiledScene() override;
+
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
+  bool occluded(const Ray& ray, double tmin, double tmax) const override;
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
+  bool isBounded() const override;
+
+  /// What was built, in one line: instruction set, trees, nodes, bytes.
+  std::string describe() const;
+  /// Bytes that all trees occupy, vertices and scene objects not counted.
+  std::size_t treeBytes() const;
+
+ private:
+  struct Content;
+  std::unique_ptr<const Content> content_;
+  const Object3D* root_;  // not owned
+};

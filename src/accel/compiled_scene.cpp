@@ -1,0 +1,149 @@
+// CompiledScene: turns the tree of objects into spaces, each with a tree of boxes.
+#include "accel/compiled_scene.h"
+
+#include <deque>
+#include <map>
+#include <sstream>
+
+#include "accel/mesh_tree.h"
+#include "accel/space.h"
+#include "geometry/group.h"
+
+namespace {
+
+using accel::Entry;
+using accel::Kernels;
+using accel::MeshTree;
+using accel::Space;
+
+/// A mesh of fewer triangles is asked triangle by triangle.
+constexpr std::uint32_t kSmallMesh = 4;
+
+const Kernels& kernelsOf(SimdLevel level) {
+  switch (level) {
+    case SimdLevel::avx512:
+      return accel::avx512Kernels();
+    case SimdLevel::avx2:
+      return accel::avx2Kernels();
+    default:
+      return accel::baselineKernels();
+  }
+}
+
+}  // namespace
+
+struct CompiledScene::Content {
+  Content(SimdLevel level, int threadCount)
+      : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {}
+
+  /// Adds `object` and all below it to `space`. The depth of recursion is the scene's nesting.
+  void add(Space& space, const Object3D* object) {
+    if (const auto* group = dynamic_cast<const Group*>(object)) {
+      for (const Object3D* member : group->getObjects()) {
+        if (member) add(space, member);
+      }
+      return;
+    }
+    Entry entry{};
+    entry.object = object;
+    entry.order = nextOrder++;
+    if (const auto* mesh = dynamic_cast<const TriangleMesh*>(object)) {
+      addMesh(entry, *mesh, Entry::Kind::mesh);
+    } else if (const auto* transform = dynamic_cast<const Transform*>(object)) {
+      addTransform(entry, *transform);
+    }
+    space.add(entry);
+  }
+
+  void addMesh(Entry& entry, const TriangleMesh& mesh, Entry::Kind kind) {
+    if (mesh.getGeometry().faceCount() < kSmallMesh) return;
+    entry.kind = kind;
+    entry.mesh = &treeOf(mesh.getGeometry());
+  }
+
+  void addTransform(Entry& entry, const Transform& transform) {
+    const Object3D* inside = transform.getObject();
+    if (const auto* mesh = dynamic_cast<const TriangleMesh*>(inside)) {
+      addMesh(entry, *mesh, Entry::Kind::movedMesh);
+    } else if (dynamic_cast<const Group*>(inside) || dynamic_cast<const Transform*>(inside)) {
+      Space& space = spaces.emplace_back(kernels);
+      add(space, inside);
+      space.finish(threads);
+      entry.kind = Entry::Kind::movedSpace;
+      entry.space = &space;
+    }
+  }
+
+  const MeshTree& treeOf(const MeshGeometry& geometry) {
+    const auto found = meshTrees.find(&geometry);
+    if (found != meshTrees.end()) return found->second;
+    return meshTrees.emplace(&geometry, MeshTree(geometry, threads)).first->second;
+  }
+
+  const Kernels& kernels;
+  const int threads;
+  std::uint32_t nextOrder = 0;
+  std::map<const MeshGeometry*, MeshTree> meshTrees;
+  std::deque<Space> spaces;  // those inside Transforms
+  Space root;
+};
+
+SimdLevel availableSimd(SimdLevel wanted) {
+  SimdLevel best = SimdLevel::baseline;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) best = SimdLevel::avx2;
+  if (best == SimdLevel::avx2 && __builtin_cpu_supports("avx512f") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw")) {
+    best = SimdLevel::avx512;
+  }
+#endif
+  return wanted == SimdLevel::automatic || wanted > best ? best : wanted;
+}
+
+const char* nameOf(SimdLevel level) {
+  constexpr const char* kNames[] = {"auto", "baseline", "avx2", "avx512"};
+  return kNames[int(level)];
+}
+
+CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) : root_(&root) {
+  auto content = std::make_unique<Content>(availableSimd(simd), threads);
+  content->add(content->root, &root);
+  content->root.finish(threads);
+  content_ = std::move(content);
+}
+
+CompiledScene::~CompiledScene() = default;
+
+bool CompiledScene::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  accel::NearestQuery query{hit, tmin, hit.getT()};
+  return content_->root.nearest(ray, query);
+}
+
+bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
+  return content_->root.occluded(ray, tmin, tmax);
+}
+
+void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  content_->root.visitCrossings(ray, visitor);
+}
+
+void CompiledScene::addBounds(const Matrix& toWorld, BoundingBox& box) const {
+  root_->addBounds(toWorld, box);
+}
+
+bool CompiledScene::isBounded() const { return root_->isBounded(); }
+
+std::size_t CompiledScene::treeBytes() const {
+  std::size_t bytes = content_->root.bvh().bytes();
+  for (const auto& tree : content_->meshTrees) bytes += tree.second.bvh().bytes();
+  for (const Space& space : content_->spaces) bytes += space.bvh().bytes();
+  return bytes;
+}
+
+std::string CompiledScene::describe() const {
+  std::ostringstream text;
+  text << "eight-wide trees, " << content_->kernels.name << "; " << content_->meshTrees.size()
+       << " mesh trees, " << content_->spaces.size() + 1 << " spaces, " << treeBytes() << " bytes";
+  return text.str();
+}

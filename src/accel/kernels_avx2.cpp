@@ -1,0 +1,24 @@
+// The traversal kernels for avx2.
+// Compiled with flags of its own where the compiler has them; otherwise empty.
+#include <cstdint>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include "accel/traversal.h"
+
+namespace accel {
+namespace avx2 {
+#include "accel/simd.h"
+
+#include "accel/kernels.inc"
+}  // namespace avx2
+
+const Kernels& avx2Kernels() {
+  static const Kernels kernels = {"avx2", avx2::traverse<Purpose::nearest>,
+                                  avx2::traverse<Purpose::any>, avx2::traverse<Purpose::all>};
+  return kernels;
+}
+
+}  // namespace accel

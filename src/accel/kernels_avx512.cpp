@@ -1,0 +1,24 @@
+// The traversal kernels for avx512.
+// Compiled with flags of its own where the compiler has them; otherwise empty.
+#include <cstdint>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include "accel/traversal.h"
+
+namespace accel {
+namespace avx512 {
+#include "accel/simd.h"
+
+#include "accel/kernels.inc"
+}  // namespace avx512
+
+const Kernels& avx512Kernels() {
+  static const Kernels kernels = {"avx512", avx512::traverse<Purpose::nearest>,
+                                  avx512::traverse<Purpose::any>, avx512::traverse<Purpose::all>};
+  return kernels;
+}
+
+}  // namespace accel

@@ -1,0 +1,134 @@
+// Queries of a mesh's tree: the kernels filter, the triangle's double function decides.
+#include <algorithm>
+#include <limits>
+
+#include "accel/mesh_tree.h"
+#include "accel/prepare_ray.h"
+#include "accel/space.h"
+#include "geometry/triangle_test.h"
+
+namespace accel {
+namespace {
+
+/// What the call backs need to know.
+struct MeshQuery {
+  const MeshTree& tree;
+  const TriangleMesh& mesh;
+  const Ray& ray;
+  TimeMap time;
+
+  /// Decides candidate `c`; true where the ray hits it, at `t`.
+  bool decide(const Candidate& c, MeshTree::Triangle& corners, double& t) const {
+    corners = tree.triangleAt(c.words, c.lane);
+    return !ray.leaves(&mesh, corners.face) &&
+           triangle::intersect(corners.a, corners.b, corners.c, ray, t);
+  }
+};
+
+bool noObject(TraversalRay&, std::uint32_t) { return false; }
+
+struct NearestInMesh : MeshQuery {
+  NearestQuery& query;
+  std::uint32_t order;
+  bool found = false;
+  MeshTree::Triangle winner{};
+
+  static bool resolve(TraversalRay& r) {
+    auto& self = *static_cast<NearestInMesh*>(r.context);
+    for (int i = 0; i < r.candidateCount; ++i) {
+      if (r.candidates[i].tLow <= r.tmaxUp) self.consider(r.candidates[i]);
+    }
+    r.candidateCount = 0;
+    if (self.found) r.tmaxUp = std::min(r.tmaxUp, self.time.above(self.query.t));
+    return false;
+  }
+
+  void consider(const Candidate& c) {
+    MeshTree::Triangle corners;
+    double t;
+    if (!decide(c, corners, t) || !(t > query.tmin) || !query.accepts(t, order, corners.face)) {
+      return;
+    }
+    query.t = t;
+    query.order = order;
+    query.part = corners.face;
+    winner = corners;
+    found = true;
+  }
+};
+
+struct OccludedByMesh : MeshQuery {
+  double tmin, tmax;
+
+  static bool resolve(TraversalRay& r) {
+    const auto& self = *static_cast<const OccludedByMesh*>(r.context);
+    const int count = r.candidateCount;
+    r.candidateCount = 0;
+    return std::any_of(r.candidates, r.candidates + count, [&](const Candidate& c) {
+      MeshTree::Triangle corners;
+      double t;
+      return self.decide(c, corners, t) && t > self.tmin && t < self.tmax;
+    });
+  }
+};
+
+struct CrossingsOfMesh {
+  const MeshTree& tree;
+  const TriangleMesh& mesh;
+  const Ray& ray;
+  CrossingVisitor& visitor;
+
+  static bool resolve(TraversalRay& r) {
+    const auto& self = *static_cast<const CrossingsOfMesh*>(r.context);
+    for (int i = 0; i < r.candidateCount; ++i) {
+      const Candidate& c = r.candidates[i];
+      self.mesh.visitFace(self.tree.triangleAt(c.words, c.lane).face, self.ray, self.visitor);
+    }
+    r.candidateCount = 0;
+    return false;
+  }
+};
+
+}  // namespace
+
+bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
+                   std::uint32_t order, const Ray& ray, NearestQuery& query) {
+  TraversalRay r;
+  NearestInMesh self{{tree, mesh, ray, {}}, query, order};
+  if (!prepareRay(tree.bvh(), ray, query.tmin, query.t, r, self.time)) return false;
+  r.resolve = NearestInMesh::resolve;
+  r.askObject = noObject;
+  r.context = &self;
+  kernels.nearest(r);
+  NearestInMesh::resolve(r);
+  if (!self.found) return false;
+  mesh.setHit(self.winner.face, self.winner.a, self.winner.b, self.winner.c, ray, query.t,
+              query.hit);
+  return true;
+}
+
+bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
+                    const Ray& ray, double tmin, double tmax) {
+  TraversalRay r;
+  OccludedByMesh self{{tree, mesh, ray, {}}, tmin, tmax};
+  if (!prepareRay(tree.bvh(), ray, tmin, tmax, r, self.time)) return false;
+  r.resolve = OccludedByMesh::resolve;
+  r.askObject = noObject;
+  r.context = &self;
+  return kernels.any(r);
+}
+
+void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
+                        const Ray& ray, CrossingVisitor& visitor) {
+  TraversalRay r;
+  TimeMap time;
+  CrossingsOfMesh self{tree, mesh, ray, visitor};
+  if (!prepareRay(tree.bvh(), ray, 0, std::numeric_limits<double>::infinity(), r, time)) return;
+  r.resolve = CrossingsOfMesh::resolve;
+  r.askObject = noObject;
+  r.context = &self;
+  kernels.all(r);
+  CrossingsOfMesh::resolve(r);
+}
+
+}  // namespace accel

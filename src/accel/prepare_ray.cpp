@@ -1,0 +1,98 @@
+// Prepares a ray for the kernels.
+#include "accel/prepare_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace accel {
+namespace {
+
+constexpr double kRounding = 0x1p-24;
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+/// A direction's component for the box test: not so small that its reciprocal could overflow. A
+/// ray turned by this little stays well within the widening of the boxes.
+double divisible(double component) {
+  constexpr double kLeast = 0x1p-60;
+  return std::fabs(component) >= kLeast ? component : std::copysign(kLeast, component);
+}
+
+/// Sets the part of `r` that the box test uses, boxes widened by `pad` on every side.
+void setBoxTest(TraversalRay& r, const Vec3d& origin, const Vec3d& inverse, double pad) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool negative = inverse[axis] < 0;
+    const double widened = negative ? -pad : pad;
+    r.reciprocal[axis] = float(inverse[axis]);
+    r.nearRow[axis] = 2 * axis + (negative ? 1 : 0);
+    r.nearOffset[axis] = float(-(origin[axis] + widened) * inverse[axis]);
+    r.farOffset[axis] = float(-(origin[axis] - widened) * inverse[axis]);
+  }
+}
+
+}  // namespace
+
+float TimeMap::below(double t) const {
+  const double x = t * scale - shift;
+  return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
+}
+
+float TimeMap::above(double t) const {
+  const double x = t * scale - shift;
+  if (x > std::numeric_limits<float>::max()) return kInf;
+  return float(x + (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
+}
+
+bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax, TraversalRay& r,
+                TimeMap& time) {
+  const Vec3d start =
+      (ray.getOrigin() - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;
+  Vec3d direction = ray.getDirection() * bvh.scale;
+  const double largest = maxAbs(direction);
+  if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return false;
+  const int exponent = std::ilogb(largest);
+  direction *= std::ldexp(1.0, -exponent);
+  time.scale = std::ldexp(1.0, exponent);
+
+  // Where the ray enters and leaves the box of the tree, widened well beyond all rounding.
+  const double far = maxAbs(start);
+  const double margin = 0x1p-18 + far * 0x1p-44;
+  const Vec3d inverse(1 / divisible(direction.x()), 1 / divisible(direction.y()),
+                      1 / divisible(direction.z()));
+  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (bvh.low[axis] - margin - start[axis]) * inverse[axis];
+    const double b = (bvh.high[axis] + margin - start[axis]) * inverse[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  if (!(enter <= leave && leave >= tmin * time.scale && enter <= tmax * time.scale)) return false;
+  time.shift = enter > 0 || tmin < 0 ? enter : 0;
+  const Vec3d origin = start + direction * time.shift;
+
+  double reach = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    reach = std::max(
+        {reach, std::fabs(bvh.low[axis] - origin[axis]), std::fabs(bvh.high[axis] - origin[axis])});
+    r.originHigh[axis] = float(origin[axis]);
+    r.originLow[axis] = float(origin[axis] - double(r.originHigh[axis]));
+    r.direction[axis] = float(direction[axis]);
+  }
+  reach = (reach + far * 0x1p-28) * (1 + 8 * kRounding);
+  setBoxTest(r, origin, inverse, 8 * kRounding * (reach + 1));
+  r.nodes = bvh.root();
+  r.leaves = bvh.words();
+  r.reach = float(reach);
+  r.edgeError = float(64 * kRounding * reach * maxAbs(direction));
+  r.determinantError = float(48 * kRounding * maxAbs(direction));
+  r.numeratorError = float(64 * kRounding * reach);
+  r.inverseLengthSquared = float(1 / dot(direction, direction));
+  r.tminDown = std::max(time.below(tmin), 0.0f);
+  r.tminUp = std::max(time.above(tmin), 0.0f);
+  r.tmaxDown = time.below(tmax);
+  r.tmaxUp = time.above(tmax);
+  r.candidateCount = 0;
+  return true;
+}
+
+}  // namespace accel

@@ -1,0 +1,137 @@
+// Eight floats at once, in the widest way that this translation unit is compiled for.
+//
+// Included only by the kernels, inside the namespace of their instruction set: the same names mean
+// different instructions in different translation units, and must never be linked together.
+// Comparisons give a bit for each lane, lane 0 lowest. min and max return the second argument where
+// one is a NaN. multiplyAdd may or may not round in between: only bounds are computed with it.
+#if defined(__AVX2__)
+
+struct Float8 {
+  __m256 v;
+
+  static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
+  static Float8 all(float x) { return {_mm256_set1_ps(x)}; }
+  void store(float* p) const { _mm256_storeu_ps(p, v); }
+};
+
+inline Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.v, b.v)}; }
+inline Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
+inline Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
+inline Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.v, b.v)}; }
+inline Float8 squareRoot(Float8 a) { return {_mm256_sqrt_ps(a.v)}; }
+inline Float8 smaller(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
+inline Float8 larger(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
+inline Float8 absolute(Float8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+#if defined(__FMA__)
+inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
+inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) {
+  return {_mm256_fmsub_ps(a.v, b.v, c.v)};
+}
+#else
+inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
+inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
+#endif
+#if defined(__AVX512VL__)
+inline unsigned lessOrEqual(Float8 a, Float8 b) {
+  return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
+}
+inline unsigned less(Float8 a, Float8 b) {
+  return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
+}
+#else
+inline unsigned lessOrEqual(Float8 a, Float8 b) {
+  return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+inline unsigned less(Float8 a, Float8 b) {
+  return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
+}
+#endif
+
+#elif defined(__SSE2__)
+
+struct Float8 {
+  __m128 low, high;
+
+  static Float8 load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
+  static Float8 all(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
+  void store(float* p) const {
+    _mm_storeu_ps(p, low);
+    _mm_storeu_ps(p + 4, high);
+  }
+};
+
+inline Float8 operator+(Float8 a, Float8 b) {
+  return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
+}
+inline Float8 operator-(Float8 a, Float8 b) {
+  return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)};
+}
+inline Float8 operator*(Float8 a, Float8 b) {
+  return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
+}
+inline Float8 operator/(Float8 a, Float8 b) {
+  return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
+}
+inline Float8 squareRoot(Float8 a) { return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
+inline Float8 smaller(Float8 a, Float8 b) {
+  return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
+}
+inline Float8 larger(Float8 a, Float8 b) {
+  return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
+}
+inline Float8 absolute(Float8 a) {
+  const __m128 sign = _mm_set1_ps(-0.0f);
+  return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
+}
+inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
+inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
+inline unsigned lessOrEqual(Float8 a, Float8 b) {
+  return unsigned(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low))) |
+         unsigned(_mm_movemask_ps(_mm_cmple_ps(a.high, b.high))) << 4;
+}
+inline unsigned less(Float8 a, Float8 b) {
+  return unsigned(_mm_movemask_ps(_mm_cmplt_ps(a.low, b.low))) |
+         unsigned(_mm_movemask_ps(_mm_cmplt_ps(a.high, b.high))) << 4;
+}
+
+#else  // any other processor: the compiler's own vectors
+
+typedef float FloatVector __attribute__((vector_size(32), aligned(4)));
+typedef int IntVector __attribute__((vector_size(32), aligned(4)));
+
+struct Float8 {
+  FloatVector v;
+
+  static Float8 load(const float* p) {
+    Float8 result;
+    __builtin_memcpy(&result.v, p, sizeof result.v);
+    return result;
+  }
+  static Float8 all(float x) { return {FloatVector{x, x, x, x, x, x, x, x}}; }
+  void store(float* p) const { __builtin_memcpy(p, &v, sizeof v); }
+};
+
+inline unsigned bitsOf(IntVector lanes) {
+  unsigned bits = 0;
+  for (int lane = 0; lane < 8; ++lane) bits |= unsigned(lanes[lane] & 1) << lane;
+  return bits;
+}
+inline Float8 operator+(Float8 a, Float8 b) { return {a.v + b.v}; }
+inline Float8 operator-(Float8 a, Float8 b) { return {a.v - b.v}; }
+inline Float8 operator*(Float8 a, Float8 b) { return {a.v * b.v}; }
+inline Float8 operator/(Float8 a, Float8 b) { return {a.v / b.v}; }
+inline Float8 squareRoot(Float8 a) {
+  for (int lane = 0; lane < 8; ++lane) a.v[lane] = __builtin_sqrtf(a.v[lane]);
+  return a;
+}
+inline Float8 smaller(Float8 a, Float8 b) { return {a.v < b.v ? a.v : b.v}; }
+inline Float8 larger(Float8 a, Float8 b) { return {a.v > b.v ? a.v : b.v}; }
+inline Float8 absolute(Float8 a) { return {a.v < 0 ? -a.v : a.v}; }
+inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
+inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
+inline unsigned lessOrEqual(Float8 a, Float8 b) { return bitsOf(a.v <= b.v); }
+inline unsigned less(Float8 a, Float8 b) { return bitsOf(a.v < b.v); }
+
+#endif
+
+inline Float8 operator-(Float8 a) { return Float8::all(0) - a; }

@@ -1,0 +1,171 @@
+// Space: sorting the entries into the tree.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "accel/bvh_builder.h"
+#include "accel/mesh_tree.h"
+#include "accel/space.h"
+#include "geometry/sphere.h"
+#include "geometry/triangle.h"
+
+namespace accel {
+namespace {
+
+/// Up to this many objects are asked one by one: a tree would not pay.
+constexpr std::size_t kFewObjects = 3;
+
+/// The box of a box's corners under a Transform.
+BoundingBox movedBox(const Transform& transform, const Vec3d& low, const Vec3d& high) {
+  BoundingBox box;
+  for (int corner = 0; corner < 8; ++corner) {
+    box.extend(transform.getMatrix().transformPoint({(corner & 1) != 0 ? high.x() : low.x(),
+                                                     (corner & 2) != 0 ? high.y() : low.y(),
+                                                     (corner & 4) != 0 ? high.z() : low.z()}));
+  }
+  return box;
+}
+
+BoundingBox boxOf(const Entry& entry) {
+  BoundingBox box;
+  switch (entry.kind) {
+    case Entry::Kind::mesh:
+      return {entry.mesh->low(), entry.mesh->high()};
+    case Entry::Kind::movedMesh:
+      return movedBox(static_cast<const Transform&>(*entry.object), entry.mesh->low(),
+                      entry.mesh->high());
+    case Entry::Kind::movedSpace:
+      return movedBox(static_cast<const Transform&>(*entry.object), entry.space->box().low(),
+                      entry.space->box().high());
+    case Entry::Kind::plain:
+      entry.object->addBounds(Matrix(), box);
+  }
+  return box;
+}
+
+bool isBounded(const Entry& entry) {
+  return entry.kind == Entry::Kind::movedSpace ? entry.space->isBounded()
+                                               : entry.object->isBounded();
+}
+
+LeafKind leafKindOf(const Entry& entry) {
+  if (entry.kind != Entry::Kind::plain) return LeafKind::objects;
+  if (dynamic_cast<const Sphere*>(entry.object)) return LeafKind::spheres;
+  if (dynamic_cast<const Triangle*>(entry.object)) return LeafKind::looseTriangles;
+  return LeafKind::objects;
+}
+
+/// True where no ray can ever hit the object.
+bool isNothing(const Entry& entry) {
+  const auto* triangle = dynamic_cast<const Triangle*>(entry.object);
+  return triangle && !triangle->hasArea();
+}
+
+float roundedDown(double x) {
+  return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
+}
+float roundedUp(double x) {
+  return std::nextafter(float(x), std::numeric_limits<float>::infinity());
+}
+
+/// Writes leaves of loose triangles, spheres and other objects, in the space of `bvh`.
+class SpaceLeafWriter : public LeafWriter {
+ public:
+  SpaceLeafWriter(const std::vector<Entry>& entries, const WideBvh& bvh)
+      : entries_(entries), bvh_(bvh) {}
+
+  void write(const BuildItem* items, int count, std::uint32_t* words) const override {
+    const LeafKind kind = items[0].kind;
+    float edge = 0;
+    for (int i = 0; i < count; ++i) {
+      const Object3D* object = entries_[items[i].id].object;
+      std::uint32_t* column = words + 1 + i;
+      if (kind == LeafKind::looseTriangles) {
+        edge = std::max(edge, writeTriangle(static_cast<const Triangle&>(*object), column, count));
+      } else if (kind == LeafKind::spheres) {
+        writeSphere(static_cast<const Sphere&>(*object), column, count);
+      }
+      column[rowsOf(kind) * count] = items[i].id | kIdBit;
+    }
+    words[0] = leafHead(edge, kind, count);
+  }
+
+ private:
+  Vec3d normalized(const Vec3d& p) const {
+    return (p - Vec3d(bvh_.anchor[0], bvh_.anchor[1], bvh_.anchor[2])) * bvh_.scale;
+  }
+  static void put(const Vec3f& v, int row, std::uint32_t* column, int stride) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float value = v[axis];
+      std::memcpy(column + (row + axis) * stride, &value, sizeof value);
+    }
+  }
+  /// Returns the largest component of an edge.
+  float writeTriangle(const Triangle& triangle, std::uint32_t* column, int stride) const {
+    const Vec3d& v0 = triangle.getVertex(0);
+    const Vec3f e1((triangle.getVertex(1) - v0) * bvh_.scale),
+        e2((triangle.getVertex(2) - v0) * bvh_.scale);
+    put(Vec3f(normalized(v0)), 0, column, stride);
+    put(e1, 3, column, stride);
+    put(e2, 6, column, stride);
+    return std::max(maxAbs(e1), maxAbs(e2));
+  }
+  void writeSphere(const Sphere& sphere, std::uint32_t* column, int stride) const {
+    put(Vec3f(normalized(sphere.getCenter())), 0, column, stride);
+    const float radius = float(sphere.getRadius() * bvh_.scale);
+    std::memcpy(column + 3 * stride, &radius, sizeof radius);
+  }
+
+  const std::vector<Entry>& entries_;
+  const WideBvh& bvh_;
+};
+
+BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, LeafKind kind) {
+  BuildItem item{};
+  for (int axis = 0; axis < 3; ++axis) {
+    item.low[axis] = roundedDown((box.low()[axis] - bvh.anchor[axis]) * bvh.scale);
+    item.high[axis] = roundedUp((box.high()[axis] - bvh.anchor[axis]) * bvh.scale);
+  }
+  item.id = id;
+  item.kind = kind;
+  return item;
+}
+
+}  // namespace
+
+void Space::finish(int threads) {
+  std::vector<BoundingBox> boxes;
+  std::vector<std::uint32_t> inTree;
+  for (std::uint32_t id = 0; id < entries_.size(); ++id) {
+    const Entry& entry = entries_[id];
+    if (isNothing(entry)) continue;
+    const BoundingBox box = accel::isBounded(entry) ? boxOf(entry) : BoundingBox();
+    const double size = box.longestSide() + maxAbs(box.low()) + maxAbs(box.high());
+    if (!accel::isBounded(entry)) bounded_ = false;
+    if (box.isEmpty() || !(size < std::numeric_limits<double>::max())) {
+      direct_.push_back(id);
+      continue;
+    }
+    box_.extend(box);
+    boxes.push_back(box);
+    inTree.push_back(id);
+  }
+  if (inTree.size() <= kFewObjects) {
+    direct_.insert(direct_.end(), inTree.begin(), inTree.end());
+    return;
+  }
+  const Vec3d middle = box_.low() + (box_.high() - box_.low()) * 0.5;
+  for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = middle[axis];
+  const double longest = std::max(box_.longestSide(), std::numeric_limits<double>::min());
+  bvh_.scale = std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000));
+  std::vector<BuildItem> items;
+  items.reserve(inTree.size());
+  for (std::size_t i = 0; i < inTree.size(); ++i) {
+    items.push_back(itemOf(boxes[i], bvh_, inTree[i], leafKindOf(entries_[inTree[i]])));
+  }
+  boxes = {};
+  buildWideBvh(bvh_, items.data(), items.size(), SpaceLeafWriter(entries_, bvh_), threads);
+}
+
+}  // namespace accel

@@ -1,0 +1,62 @@
+// WideBvh: a tree whose inner nodes have up to eight boxes, which one instruction tests at once.
+//
+// All its numbers are floats in a normalised space: x' = (x - anchor) * scale, scale a power of
+// two, chosen so that the tree's own box has a longest side of 1 to 2. So no scene is too small or
+// too large for float, and error bounds can be stated once.
+#pragma once
+#include <cstdint>
+
+#include "system/page_buffer.h"
+
+namespace accel {
+
+constexpr int kWidth = 8;
+
+/// Eight boxes and what is in them. An empty slot has an inverted box, which no ray meets.
+struct alignas(64) WideNode {
+  float planes[6][kWidth];      ///< low x, high x, low y, high y, low z, high z
+  std::uint32_t child[kWidth];  ///< a node's number, or kLeafBit and the offset of a leaf's words
+};
+static_assert(sizeof(WideNode) == 256, "four cache lines");
+
+constexpr std::uint32_t kLeafBit = 0x80000000u;
+
+/// What a leaf holds. A leaf is a run of 32-bit words:
+///   head, then rows of n numbers each, then a row of n primitive numbers.
+/// The head is a float, an upper bound of the edges' components (triangles) or 0, whose low byte is
+/// kind and count. Rows are not padded: a load of eight runs over into what follows, and the lanes
+/// above n are masked out. Primitive numbers have kIdBit set, so that read as a float they are
+/// no denormals, which processors handle slowly.
+enum class LeafKind : std::uint32_t {
+  meshTriangles = 0,   ///< nine rows: v0, v1, v2, exact
+  looseTriangles = 1,  ///< nine rows: v0 rounded, v1 - v0 and v2 - v0 rounded
+  spheres = 2,         ///< four rows: centre rounded, radius rounded up
+  objects = 3          ///< no rows: anything else, asked through its virtual functions
+};
+constexpr std::uint32_t kIdBit = 0x40000000u;
+
+constexpr int rowsOf(LeafKind kind) {
+  return kind == LeafKind::spheres ? 4 : kind == LeafKind::objects ? 0 : 9;
+}
+constexpr std::uint32_t wordsOf(LeafKind kind, int count) {
+  return 1 + std::uint32_t(count) * std::uint32_t(rowsOf(kind) + 1);
+}
+constexpr LeafKind kindOf(std::uint32_t head) { return LeafKind(head >> 4 & 3); }
+constexpr int countOf(std::uint32_t head) { return int(head & 15); }
+
+struct WideBvh {
+  PageBuffer nodes;   ///< WideNodes; the first is the root. Empty where there is nothing to hit.
+  PageBuffer leaves;  ///< words, with room behind them for a load of eight to run over
+  std::size_t nodeCount = 0, leafWords = 0;
+  double anchor[3] = {0, 0, 0};
+  double scale = 1;
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< the box of everything, normalised
+
+  bool isEmpty() const { return nodeCount == 0; }
+  const WideNode* root() const { return static_cast<const WideNode*>(nodes.data()); }
+  const std::uint32_t* words() const { return static_cast<const std::uint32_t*>(leaves.data()); }
+  /// Bytes that the tree occupies.
+  std::size_t bytes() const { return nodes.size() + leaves.size(); }
+};
+
+}  // namespace accel
