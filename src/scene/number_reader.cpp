@@ -1,4 +1,4 @@
-// Reading numbers: a fast exact path for those of few digits, and the C library for the rest.
+// Reading numbers: quick arithmetic where it is provably exact, and the C library for the rest.
 // Source: Clinger, "How to Read Floating Point Numbers Accurately", PLDI 1990.
 #include "scene/number_reader.h"
 
@@ -11,14 +11,19 @@
 #include <cstring>
 #include <limits>
 
+#include "scene/digits.h"
+#include "scene/powers_of_ten.h"
+
 namespace {
+
+using digits::isDigit;
 
 /// The powers of ten that a double holds exactly.
 constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::int64_t kMaxExactPower = 22;
-constexpr int kMantissaDigits = 19;  // the most that 64 bits hold whatever the digits are
+constexpr int kMantissaDigits = digits::kMost;
 
 /// A number as it is written: (-1)^isNegative * mantissa * 10^exponent, where the mantissa holds
 /// the first 19 significant digits. `isCut` says that digits other than 0 follow those.
@@ -30,14 +35,14 @@ struct Decimal {
   std::string_view digits;  // the digits and the point, without sign and exponent
 };
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// Reads digits from `p` on into the mantissa, as many as it holds. Returns how many were read;
-/// `exponent` grows by one for each digit that did not fit.
-std::int64_t readDigits(const char*& p, const char* end, int& significant, Decimal& number) {
-  const char* const start = p;
-  for (; p != end && isDigit(*p); ++p) {
-    const unsigned digit = unsigned(*p - '0');
+/// Reads the mantissa again from more digits than it can hold: `exponent` grows by one for each
+/// significant digit that does not fit.
+void cutMantissa(Decimal& number) {
+  number.mantissa = 0;
+  int significant = 0;
+  for (const char c : number.digits) {
+    if (c == '.') continue;
+    const unsigned digit = unsigned(c - '0');
     if (significant < kMantissaDigits) {
       number.mantissa = number.mantissa * 10 + digit;
       significant += number.mantissa != 0;
@@ -46,7 +51,6 @@ std::int64_t readDigits(const char*& p, const char* end, int& significant, Decim
       number.isCut |= digit != 0;
     }
   }
-  return p - start;
 }
 
 /// Reads `[+-] digits` after an e. Exponents beyond any sense stop growing at 10^15, which is
@@ -64,27 +68,26 @@ bool readExponent(const char*& p, const char* end, std::int64_t& exponent) {
   return true;
 }
 
-bool readDecimal(std::string_view word, Decimal& number) {
-  const char* p = word.data();
-  const char* const end = p + word.size();
+/// Reads the longest number that begins at `p` and returns where it ends; null where none does,
+/// or one whose exponent has no digits.
+const char* scanDecimal(const char* p, const char* end, Decimal& number) {
   number.isNegative = p != end && *p == '-';
   if (p != end && (*p == '-' || *p == '+')) ++p;
   const char* const start = p;
-  int significant = 0;
-  std::int64_t count = readDigits(p, end, significant, number);
+  p = digits::append(p, end, number.mantissa);
+  std::int64_t count = p - start;
   if (p != end && *p == '.') {
-    ++p;
-    const std::int64_t fraction = readDigits(p, end, significant, number);
-    number.exponent -= fraction;
-    count += fraction;
+    const char* const fraction = ++p;
+    p = digits::append(p, end, number.mantissa);
+    number.exponent = fraction - p;
+    count -= number.exponent;
   }
-  if (count == 0) return false;
+  if (count == 0) return nullptr;
   number.digits = std::string_view(start, std::size_t(p - start));
-  if (p != end && (*p == 'e' || *p == 'E')) {
-    ++p;
-    if (!readExponent(p, end, number.exponent)) return false;
-  }
-  return p == end;
+  if (count > kMantissaDigits) cutMantissa(number);
+  if (p == end || (*p != 'e' && *p != 'E')) return p;
+  ++p;
+  return readExponent(p, end, number.exponent) ? p : nullptr;
 }
 
 void convert(const char* text, double& value) { value = std::strtod(text, nullptr); }
@@ -142,41 +145,78 @@ bool roundsSafelyToFloat(double value) {
   return std::abs(rest - 0x10000000) > 4;
 }
 
+/// Stores the double nearest to the number's magnitude and returns true, where quick arithmetic
+/// can tell which one it is. Two exact doubles give it in one rounded operation.
+bool findNearest(const Decimal& number, double& magnitude) {
+  constexpr std::uint64_t kExactLimit = std::uint64_t(1) << 53;
+  if (number.mantissa == 0) {
+    magnitude = 0;
+    return true;
+  }
+  if (number.mantissa <= kExactLimit && !number.isCut && hasExactPower(number)) {
+    magnitude = scaleByPowerOfTen(double(number.mantissa), number.exponent);
+    return true;
+  }
+  if (!powers_of_ten::nearest(number.mantissa, number.exponent, magnitude)) return false;
+  if (!number.isCut) return true;
+  // What was cut off lies between nothing and one more in the last of the digits kept.
+  double above;
+  return powers_of_ten::nearest(number.mantissa + 1, number.exponent, above) && above == magnitude;
+}
+
+/// The same, but to within 4 units in the last place, which is quicker: cutting, converting and
+/// scaling each err by less than one.
+bool findNear(const Decimal& number, double& magnitude) {
+  if (!hasExactPower(number)) return findNearest(number, magnitude);
+  magnitude = scaleByPowerOfTen(double(number.mantissa), number.exponent);
+  return true;
+}
+
+const char* endOf(std::string_view word) { return word.data() + word.size(); }
+
 }  // namespace
 
 bool isNumber(std::string_view word) {
   Decimal number;
-  return readDecimal(word, number);
+  return scanDecimal(word.data(), endOf(word), number) == endOf(word) && !word.empty();
+}
+
+const char* scanDouble(const char* p, const char* end, double& value) {
+  Decimal number;
+  const char* const stop = scanDecimal(p, end, number);
+  if (!stop) return nullptr;
+  double magnitude;
+  if (findNearest(number, magnitude)) {
+    value = number.isNegative ? -magnitude : magnitude;
+    return stop;
+  }
+  return readExactly(number, value) ? stop : nullptr;
+}
+
+const char* scanFloat(const char* p, const char* end, float& value) {
+  Decimal number;
+  const char* const stop = scanDecimal(p, end, number);
+  if (!stop) return nullptr;
+  double magnitude;
+  if (findNear(number, magnitude) && (number.mantissa == 0 || roundsSafelyToFloat(magnitude))) {
+    value = float(number.isNegative ? -magnitude : magnitude);
+    return stop;
+  }
+  return readExactly(number, value) ? stop : nullptr;
 }
 
 bool readDouble(std::string_view word, double& value) {
-  Decimal number;
-  if (!readDecimal(word, number)) return false;
-  constexpr std::uint64_t kExactLimit = std::uint64_t(1) << 53;
-  const bool isShort = number.mantissa <= kExactLimit && !number.isCut && hasExactPower(number);
-  if (!isShort && number.mantissa != 0) return readExactly(number, value);
-  const double magnitude =
-      number.mantissa == 0 ? 0 : scaleByPowerOfTen(double(number.mantissa), number.exponent);
-  value = number.isNegative ? -magnitude : magnitude;
+  double found;
+  if (word.empty() || scanDouble(word.data(), endOf(word), found) != endOf(word)) return false;
+  value = found;
   return true;
 }
 
 bool readFloat(std::string_view word, float& value) {
-  Decimal number;
-  if (!readDecimal(word, number)) return false;
-  if (number.mantissa == 0) {
-    value = number.isNegative ? -0.0f : 0.0f;
-    return true;
-  }
-  if (hasExactPower(number)) {
-    // Cutting, converting and scaling each err by less than one unit in the last place.
-    const double magnitude = scaleByPowerOfTen(double(number.mantissa), number.exponent);
-    if (roundsSafelyToFloat(magnitude)) {
-      value = float(number.isNegative ? -magnitude : magnitude);
-      return true;
-    }
-  }
-  return readExactly(number, value);
+  float found;
+  if (word.empty() || scanFloat(word.data(), endOf(word), found) != endOf(word)) return false;
+  value = found;
+  return true;
 }
 
 bool readInt(std::string_view word, int& value) {
