@@ -38,6 +38,8 @@ class ObjCursor {
 
   /// Goes to the statement's next word; false where it has no more.
   bool findWord() {
+    if (place_ != end_ && *place_ == ' ') ++place_;
+    if (place_ != end_ && *place_ > '#' && *place_ != '\\') return true;  // most words begin so
     while (place_ != end_) {
       const std::size_t length = isBlank(*place_) ? 1 : continuation(place_);
       if (length == 0) break;
