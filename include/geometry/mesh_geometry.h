@@ -40,10 +40,10 @@ class MeshGeometry {
  private:
   /// What is known of kRunFaces faces in a row (the last run may have fewer).
   struct FaceRun {
-    BoundingBox box;
+    Vec3f low, high;  // their bounding box
     std::uint32_t flatFaces = 0;
   };
-  static constexpr std::size_t kRunFaces = 256;
+  static constexpr std::size_t kRunFaces = 64;
 
   FaceRun lookOver(std::size_t run) const;
   void findExtremes();

@@ -70,7 +70,7 @@ bool contains(const BoundingBox& outer, const BoundingBox& inner) {
 MeshGeometry::MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces)
     : vertices_(std::move(vertices)), faces_(std::move(faces)) {
   runs_.resize((faces_.size() + kRunFaces - 1) / kRunFaces);
-  constexpr std::size_t kRunsPerThread = 64;  // some 0.2 ms of work
+  constexpr std::size_t kRunsPerThread = 256;  // some 0.2 ms of work
   const int threads = int(
       std::clamp(runs_.size() / kRunsPerThread, std::size_t(1), std::size_t(hardwareThreads())));
   const auto lookOverShare = [&](int thread) {
@@ -93,8 +93,14 @@ void MeshGeometry::visitCorners(std::size_t run, const Visitor& visit) const {
 
 MeshGeometry::FaceRun MeshGeometry::lookOver(std::size_t run) const {
   FaceRun found;
-  visitCorners(run, [&](const Vec3f& corner) { found.box.extend(corner); });
   const std::size_t first = run * kRunFaces, last = std::min(first + kRunFaces, faces_.size());
+  found.low = found.high = vertices_[faces_[first][0]];
+  visitCorners(run, [&](const Vec3f& corner) {
+    for (int axis = 0; axis < 3; ++axis) {
+      found.low[axis] = std::min(found.low[axis], corner[axis]);
+      found.high[axis] = std::max(found.high[axis], corner[axis]);
+    }
+  });
   for (std::size_t face = first; face < last; ++face) {
     const auto& [a, b, c] = faces_[face];
     const Vec3d normal = triangle::areaNormal(vertices_[a], vertices_[b], vertices_[c]);
@@ -108,16 +114,16 @@ void MeshGeometry::findExtremes() {
   for (int axis = 0; axis < 3; ++axis) {
     std::size_t lowest = 0, highest = 0;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
-      if (runs_[run].box.low()[axis] < runs_[lowest].box.low()[axis]) lowest = run;
-      if (runs_[run].box.high()[axis] > runs_[highest].box.high()[axis]) highest = run;
+      if (runs_[run].low[axis] < runs_[lowest].low[axis]) lowest = run;
+      if (runs_[run].high[axis] > runs_[highest].high[axis]) highest = run;
     }
     if (runs_.empty()) return;
     Vec3f low, high;
     visitCorners(lowest, [&](const Vec3f& corner) {
-      if (double(corner[axis]) == runs_[lowest].box.low()[axis]) low = corner;
+      if (corner[axis] == runs_[lowest].low[axis]) low = corner;
     });
     visitCorners(highest, [&](const Vec3f& corner) {
-      if (double(corner[axis]) == runs_[highest].box.high()[axis]) high = corner;
+      if (corner[axis] == runs_[highest].high[axis]) high = corner;
     });
     extremes_.insert(extremes_.end(), {low, high});
   }
@@ -134,7 +140,7 @@ std::uint32_t MeshGeometry::countFlatFaces() const {
 void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
   for (const Vec3f& corner : extremes_) box.extend(toWorld.transformPoint(corner));
   for (std::size_t run = 0; run < runs_.size(); ++run) {
-    if (contains(box, moved(runs_[run].box, toWorld))) continue;
+    if (contains(box, moved({runs_[run].low, runs_[run].high}, toWorld))) continue;
     visitCorners(run, [&](const Vec3f& corner) { box.extend(toWorld.transformPoint(corner)); });
   }
 }

@@ -156,28 +156,33 @@ bool roundsSafelyToFloat(double value) {
   return std::abs(rest - 0x10000000) > 4;
 }
 
-/// Stores the double nearest to the number's magnitude and returns true, where quick arithmetic
-/// can tell which one it is. Two exact doubles give it in one rounded operation.
-bool findNearest(const Decimal& number, double& magnitude) {
+/// Stores the double nearest to the number's magnitude, which is not 0, and returns true, where 128
+/// bits can tell. What was cut off lies between nothing and one more in the last digit kept.
+bool findByProduct(std::uint64_t mantissa, std::int64_t exponent, bool isCut, double& magnitude) {
+  if (!powers_of_ten::nearest(mantissa, exponent, magnitude)) return false;
+  double above = magnitude;
+  if (isCut && !powers_of_ten::nearest(mantissa + 1, exponent, above)) return false;
+  return above == magnitude;
+}
+
+/// The same for any number. Two exact doubles give it in one rounded operation.
+[[gnu::always_inline]] inline bool findNearest(const Decimal& number, double& magnitude) {
   constexpr std::uint64_t kExactLimit = std::uint64_t(1) << 53;
-  if (number.mantissa == 0) {
-    magnitude = 0;
+  const bool isShort = number.mantissa <= kExactLimit && !number.isCut;
+  if (number.mantissa == 0 || (isShort && hasExactPower(number))) {
+    magnitude =
+        number.mantissa == 0 ? 0 : scaleByPowerOfTen(double(number.mantissa), number.exponent);
     return true;
   }
-  if (number.mantissa <= kExactLimit && !number.isCut && hasExactPower(number)) {
-    magnitude = scaleByPowerOfTen(double(number.mantissa), number.exponent);
-    return true;
-  }
-  if (!powers_of_ten::nearest(number.mantissa, number.exponent, magnitude)) return false;
-  if (!number.isCut) return true;
-  // What was cut off lies between nothing and one more in the last of the digits kept.
-  double above;
-  return powers_of_ten::nearest(number.mantissa + 1, number.exponent, above) && above == magnitude;
+  double found;
+  if (!findByProduct(number.mantissa, number.exponent, number.isCut, found)) return false;
+  magnitude = found;
+  return true;
 }
 
 /// The same, but to within 4 units in the last place, which is quicker: cutting, converting, the
 /// power and the product each err by less than one.
-bool findNear(const Decimal& number, double& magnitude) {
+[[gnu::always_inline]] inline bool findNear(const Decimal& number, double& magnitude) {
   if (!hasExactPower(number)) return findNearest(number, magnitude);
   magnitude = double(number.mantissa) * kNearPowersOfTen[number.exponent + kMaxExactPower];
   return true;

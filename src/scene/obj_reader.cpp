@@ -7,6 +7,7 @@
 
 #include "scene/obj_part.h"
 #include "scene/statement_chunks.h"
+#include "system/large_pages.h"
 #include "system/open_file.h"
 #include "system/worker_threads.h"
 
@@ -60,6 +61,7 @@ std::vector<T> joined(std::deque<ObjPart>& parts, std::vector<T> ObjPart::*eleme
                       std::size_t count) {
   std::vector<T> all;
   all.reserve(count);
+  preferLargePages(all.data(), count * sizeof(T));
   for (ObjPart& part : parts) {
     all.insert(all.end(), (part.*elements).begin(), (part.*elements).end());
     (part.*elements) = {};

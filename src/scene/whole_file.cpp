@@ -11,6 +11,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "system/large_pages.h"
 #include "system/open_file.h"
 
 namespace {
@@ -29,6 +30,7 @@ std::string readToEnd(int descriptor, std::string& bytes) {
   if (fstat(descriptor, &status) != 0) return systemReason();
   if (S_ISDIR(status.st_mode)) return "it is a folder, expected a file";
   if (S_ISREG(status.st_mode)) bytes.reserve(std::size_t(status.st_size) + 1);
+  preferLargePages(bytes.data(), bytes.capacity());
   const std::size_t limit =
       S_ISCHR(status.st_mode) ? kMaxDeviceBytes : std::numeric_limits<std::size_t>::max();
   for (;;) {
