@@ -136,7 +136,7 @@ std::uint32_t MeshGeometry::countFlatFaces() const {
 }
 
 /// The corners on the sides of the mesh's own box come first: mostly they leave nothing to be found
-/// but a few runs. (10,000 instances of 70,000 faces: 0.1 s, against 9 s for all corners.)
+/// but a few runs. (10,000 instances of 70,000 faces: 0.15 s, against 36 s for all corners.)
 void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
   for (const Vec3f& corner : extremes_) box.extend(toWorld.transformPoint(corner));
   for (std::size_t run = 0; run < runs_.size(); ++run) {

@@ -50,7 +50,8 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
     }
   }
   if (isSure && found < expected) {
-    in_.report(in_.at(), says() + std::string(block.owner) + " ends after " + std::to_string(found));
+    in_.report(in_.at(),
+               says() + std::string(block.owner) + " ends after " + std::to_string(found));
   }
   in_.advance();
 }

@@ -16,7 +16,7 @@ using Corner = std::uint64_t;
 constexpr Corner kRelative = Corner(1) << 32;
 
 /// The place in the statements is handed along apart from the reader, so that it can stay in a
-/// register (reading faces took 1.3 times as long).
+/// register; with numbers read in line this took 0.92 of the time.
 class PartReader {
  public:
   PartReader(const ObjSurroundings& around, const ObjReport& report, ObjPart& part)
