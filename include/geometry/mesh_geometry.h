@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/bounding_box.h"
+#include "math/matrix.h"
 #include "math/vec3.h"
 
 class MeshGeometry {
@@ -12,9 +14,9 @@ class MeshGeometry {
   using Face = std::array<std::uint32_t, 3>;
 
   MeshGeometry() = default;
-  /// Every index in `faces` must be below vertices.size().
-  MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces)
-      : vertices_(std::move(vertices)), faces_(std::move(faces)) {}
+  /// Every index in `faces` must be below vertices.size(). Large meshes are looked over by
+  /// several threads.
+  MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces);
 
   const std::vector<Vec3f>& getVertices() const { return vertices_; }
   const std::vector<Face>& getFaces() const { return faces_; }
@@ -25,6 +27,9 @@ class MeshGeometry {
   }
   /// Faces without area, which no ray ever hits.
   std::uint32_t countFlatFaces() const;
+  /// Extends `box` by all faces as `toWorld` places them. Of a large mesh only the parts that stand
+  /// out of the box are visited.
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const;
 
   /// True once findWhetherClosed has found that the surface encloses a volume.
   bool isClosed() const { return closed_; }
@@ -33,7 +38,21 @@ class MeshGeometry {
   void findWhetherClosed();
 
  private:
+  /// What is known of kRunFaces faces in a row (the last run may have fewer).
+  struct FaceRun {
+    Vec3f low, high;  // their bounding box
+    std::uint32_t flatFaces = 0;
+  };
+  static constexpr std::size_t kRunFaces = 64;
+
+  FaceRun lookOver(std::size_t run) const;
+  void findExtremes();
+  template <class Visitor>
+  void visitCorners(std::size_t run, const Visitor& visit) const;
+
   std::vector<Vec3f> vertices_;
   std::vector<Face> faces_;
+  std::vector<FaceRun> runs_;
+  std::vector<Vec3f> extremes_;  // corners of faces on the six sides of the mesh's own box
   bool closed_ = false;
 };

@@ -15,6 +15,12 @@ bool readDouble(std::string_view word, double& value);
 /// The same for float; rounded once, straight from the decimal digits.
 bool readFloat(std::string_view word, float& value);
 
+/// Read the longest number that begins at `p`, store it like readDouble and readFloat, and return
+/// where it ends, which is the whole word if that is the word's end. Return null, and leave `value`
+/// as it was, where no number begins, its exponent has no digits, or it is too large.
+const char* scanDouble(const char* p, const char* end, double& value);
+const char* scanFloat(const char* p, const char* end, float& value);
+
 /// Stores the whole number that `word` is ([+-] digits) and returns true. Returns false and leaves
 /// `value` as it was for anything else (5.0, 1e3), and where it does not fit in an int.
 bool readInt(std::string_view word, int& value);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/triangle_test.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -37,15 +38,111 @@ struct Edge {
   bool ascending;  // whether the face runs from the smaller to the larger end
 };
 
+/// A box around all that Matrix::transformPoint gives for points in `box`, not empty, rounding
+/// included: the terms are added in the same order, each replaced by its least or largest value,
+/// and rounding keeps order.
+BoundingBox moved(const BoundingBox& box, const Matrix& matrix) {
+  Vec3d low, high;
+  for (int row = 0; row < 3; ++row) {
+    double least[3], largest[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double factor = matrix.at(row, axis);
+      least[axis] = factor * (factor < 0 ? box.high() : box.low())[axis];
+      largest[axis] = factor * (factor < 0 ? box.low() : box.high())[axis];
+    }
+    low[row] = least[0] + least[1] + least[2] + matrix.at(row, 3);
+    high[row] = largest[0] + largest[1] + largest[2] + matrix.at(row, 3);
+  }
+  return {low, high};
+}
+
+bool contains(const BoundingBox& outer, const BoundingBox& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(outer.low()[axis] <= inner.low()[axis] && inner.high()[axis] <= outer.high()[axis])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+MeshGeometry::MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces)
+    : vertices_(std::move(vertices)), faces_(std::move(faces)) {
+  runs_.resize((faces_.size() + kRunFaces - 1) / kRunFaces);
+  constexpr std::size_t kRunsPerThread = 256;  // some 0.2 ms of work
+  const int threads = int(
+      std::clamp(runs_.size() / kRunsPerThread, std::size_t(1), std::size_t(hardwareThreads())));
+  const auto lookOverShare = [&](int thread) {
+    const std::size_t share = runs_.size() / std::size_t(threads) + 1;
+    const std::size_t first = share * std::size_t(thread);
+    const std::size_t last = std::min(first + share, runs_.size());
+    for (std::size_t run = first; run < last; ++run) runs_[run] = lookOver(run);
+  };
+  threads == 1 ? lookOverShare(0) : runOnThreads(threads, 0, lookOverShare);
+  findExtremes();
+}
+
+template <class Visitor>
+void MeshGeometry::visitCorners(std::size_t run, const Visitor& visit) const {
+  const std::size_t first = run * kRunFaces, last = std::min(first + kRunFaces, faces_.size());
+  for (std::size_t face = first; face < last; ++face) {
+    for (const std::uint32_t vertex : faces_[face]) visit(vertices_[vertex]);
+  }
+}
+
+MeshGeometry::FaceRun MeshGeometry::lookOver(std::size_t run) const {
+  FaceRun found;
+  const std::size_t first = run * kRunFaces, last = std::min(first + kRunFaces, faces_.size());
+  found.low = found.high = vertices_[faces_[first][0]];
+  visitCorners(run, [&](const Vec3f& corner) {
+    for (int axis = 0; axis < 3; ++axis) {
+      found.low[axis] = std::min(found.low[axis], corner[axis]);
+      found.high[axis] = std::max(found.high[axis], corner[axis]);
+    }
+  });
+  for (std::size_t face = first; face < last; ++face) {
+    const auto& [a, b, c] = faces_[face];
+    const Vec3d normal = triangle::areaNormal(vertices_[a], vertices_[b], vertices_[c]);
+    found.flatFaces += normal == Vec3d();
+  }
+  return found;
+}
+
+/// Finds for each side of the mesh's box a corner that lies on it.
+void MeshGeometry::findExtremes() {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::size_t lowest = 0, highest = 0;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+      if (runs_[run].low[axis] < runs_[lowest].low[axis]) lowest = run;
+      if (runs_[run].high[axis] > runs_[highest].high[axis]) highest = run;
+    }
+    if (runs_.empty()) return;
+    Vec3f low, high;
+    visitCorners(lowest, [&](const Vec3f& corner) {
+      if (corner[axis] == runs_[lowest].low[axis]) low = corner;
+    });
+    visitCorners(highest, [&](const Vec3f& corner) {
+      if (corner[axis] == runs_[highest].high[axis]) high = corner;
+    });
+    extremes_.insert(extremes_.end(), {low, high});
+  }
+}
 
 std::uint32_t MeshGeometry::countFlatFaces() const {
   std::uint32_t count = 0;
-  for (std::uint32_t face = 0; face < faceCount(); ++face) {
-    const Vec3d normal = triangle::areaNormal(corner(face, 0), corner(face, 1), corner(face, 2));
-    if (normal == Vec3d()) ++count;
-  }
+  for (const FaceRun& run : runs_) count += run.flatFaces;
   return count;
+}
+
+/// The corners on the sides of the mesh's own box come first: mostly they leave nothing to be found
+/// but a few runs. (10,000 instances of 70,000 faces: 0.15 s, against 36 s for all corners.)
+void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
+  for (const Vec3f& corner : extremes_) box.extend(toWorld.transformPoint(corner));
+  for (std::size_t run = 0; run < runs_.size(); ++run) {
+    if (contains(box, moved({runs_[run].low, runs_[run].high}, toWorld))) continue;
+    visitCorners(run, [&](const Vec3f& corner) { box.extend(toWorld.transformPoint(corner)); });
+  }
 }
 
 void MeshGeometry::findWhetherClosed() {

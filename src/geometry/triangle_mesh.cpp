@@ -64,9 +64,5 @@ void TriangleMesh::visitCrossings(const Ray& ray, CrossingVisitor& visitor) cons
 }
 
 void TriangleMesh::addBounds(const Matrix& toWorld, BoundingBox& box) const {
-  for (const MeshGeometry::Face& face : geometry_->getFaces()) {
-    for (const std::uint32_t vertex : face) {
-      box.extend(toWorld.transformPoint(geometry_->getVertices()[vertex]));
-    }
-  }
+  geometry_->addBounds(toWorld, box);
 }

@@ -30,14 +30,15 @@ bool SceneBuilder::readCount(const CountedBlock& block, int& count) {
 void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, bool isSure,
                                     const std::function<void()>& readItem,
                                     const std::function<bool()>& readOther) {
-  const std::string says =
-      std::string(block.countName) + " says " + std::to_string(expected) + ", but ";
+  const auto says = [&] {
+    return std::string(block.countName) + " says " + std::to_string(expected) + ", but ";
+  };
   int found = 0;
   while (in_.word() != "}") {
     if (block.items.contains(in_.word())) {
       if (isSure && found == expected) {
         in_.report(in_.at(),
-                   says + std::string(block.owner) + " goes on with " + in_.quotedAt(in_.at()));
+                   says() + std::string(block.owner) + " goes on with " + in_.quotedAt(in_.at()));
         isSure = false;
       }
       readItem();
@@ -49,7 +50,8 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
     }
   }
   if (isSure && found < expected) {
-    in_.report(in_.at(), says + std::string(block.owner) + " ends after " + std::to_string(found));
+    in_.report(in_.at(),
+               says() + std::string(block.owner) + " ends after " + std::to_string(found));
   }
   in_.advance();
 }

@@ -7,6 +7,7 @@
 #include "scene/obj_reader.h"
 #include "scene/whole_file.h"
 #include "scene/wording.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -37,10 +38,15 @@ const MeshGeometry* MeshLibrary::load(std::string_view name, bool& isNew) {
     const std::string key = resolved(path, reason);
     const auto known = byPath_.find(key);
     if (known != byPath_.end()) return known->second;
-    if (!key.empty() && readWholeFile(path, bytes, reason)) {
-      isNew = true;
+    MeshGeometry mesh;
+    isNew = !key.empty();
+    if (isNew && readObjFile(path, {hardwareThreads()}, mesh)) {
+      return byPath_[key] = keep(std::move(mesh));
+    }
+    if (isNew && readWholeFile(path, bytes, reason)) {
       return byPath_[key] = read(path, std::move(bytes), place);
     }
+    isNew = false;
     tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
   }
   const std::string why = tried.empty() ? "no file can have this name" : "looked for " + tried;
@@ -54,7 +60,10 @@ const MeshGeometry* MeshLibrary::read(const std::string& path, std::string bytes
   const std::size_t mistakesBefore = log_.count();
   const SourceText text(path, std::move(bytes));
   MeshGeometry mesh = readObj(text, log_, place);
-  if (log_.count() > mistakesBefore) return nullptr;
+  return log_.count() > mistakesBefore ? nullptr : keep(std::move(mesh));
+}
+
+const MeshGeometry* MeshLibrary::keep(MeshGeometry&& mesh) {
   meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
   return meshes_.back().get();
 }

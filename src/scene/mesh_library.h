@@ -26,6 +26,7 @@ class MeshLibrary {
  private:
   const MeshGeometry* load(std::string_view name, bool& isNew);
   const MeshGeometry* read(const std::string& path, std::string bytes, std::size_t place);
+  const MeshGeometry* keep(MeshGeometry&& mesh);
   std::vector<std::string> candidates(std::string_view name) const;
 
   const SourceText& scene_;

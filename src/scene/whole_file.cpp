@@ -1,7 +1,6 @@
 // Reading a whole file into memory, whatever kind of file it is.
 #include "scene/whole_file.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,37 +11,17 @@
 #include <new>
 #include <stdexcept>
 
+#include "system/large_pages.h"
+#include "system/open_file.h"
+
 namespace {
 
 constexpr std::size_t kChunk = std::size_t(1) << 20;
 /// Devices such as /dev/zero never end: more than this from one is a mistake.
 constexpr std::size_t kMaxDeviceBytes = std::size_t(64) << 20;
 
-/// Closes an open file at the end of its life.
-class OpenFile {
- public:
-  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
-  ~OpenFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
 /// What the system says of the last call that failed.
 std::string systemReason() { return std::strerror(errno); }
-
-/// Reads once, up to `room` bytes, again where a signal interrupts; 0 at the end, < 0 on failure.
-ssize_t readSome(int descriptor, char* target, std::size_t room) {
-  for (;;) {
-    const ssize_t count = ::read(descriptor, target, room);
-    if (count >= 0 || errno != EINTR) return count;
-  }
-}
 
 /// Reads to the end. Memory is touched a chunk at a time, as the bytes come. Returns why it could
 /// not, or nothing.
@@ -51,6 +30,7 @@ std::string readToEnd(int descriptor, std::string& bytes) {
   if (fstat(descriptor, &status) != 0) return systemReason();
   if (S_ISDIR(status.st_mode)) return "it is a folder, expected a file";
   if (S_ISREG(status.st_mode)) bytes.reserve(std::size_t(status.st_size) + 1);
+  preferLargePages(bytes.data(), bytes.capacity());
   const std::size_t limit =
       S_ISCHR(status.st_mode) ? kMaxDeviceBytes : std::numeric_limits<std::size_t>::max();
   for (;;) {
@@ -80,8 +60,8 @@ bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
 }  // namespace
 
 bool readWholeFile(const std::string& filename, std::string& bytes, std::string& reason) {
-  const OpenFile file(open(filename.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.descriptor() >= 0) return readOrExplain(file.descriptor(), bytes, reason);
+  const OpenFile file(filename);
+  if (file.isOpen()) return readOrExplain(file.descriptor(), bytes, reason);
   reason = systemReason();
   return false;
 }

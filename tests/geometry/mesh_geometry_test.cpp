@@ -2,6 +2,7 @@
 #include "geometry/mesh_geometry.h"
 
 #include "geometry/shapes.h"
+#include "random.h"
 #include "vectors.h"
 
 namespace {
@@ -105,4 +106,44 @@ TEST("two bodies are closed, unless they share an edge") {
   // Mirrored to the other side of the edge from (0, 0, 0) to (0, 0, 1), which then has four faces.
   for (std::size_t i = 0; i < 4; ++i) vertices[4 + i] = kCorners[i] * Vec3f(-1, -1, 1);
   CHECK(!isClosed(vertices, faces));
+}
+
+TEST("the bounds of a large mesh under any map are those of all its corners, to the last bit") {
+  Random random(41);
+  for (int i = 0; i < 60; ++i) {
+    // A wavy strip, or a cloud without order; some vertices belong to no face.
+    const bool isCloud = i % 3 == 0;
+    Vertices vertices;
+    for (int k = 0; k < 2000; ++k) {
+      const Vec3d wave(0.01 * k, math::sinDegrees(k), random.uniform(0, 0.1));
+      vertices.push_back(Vec3f(isCloud ? random.inCube(-1, 1) : wave));
+    }
+    vertices.push_back({1e6f, 1e6f, 1e6f});
+    Faces faces;
+    for (std::uint32_t k = 0; k + 2 < 2000; ++k) faces.push_back({k, k + 1, k + 2});
+    const MeshGeometry geometry(vertices, faces);
+    BoundingBox box, expected;
+    for (int instance = 0; instance < 5; ++instance) {
+      const Matrix toWorld = Matrix::translation(random.inCube(-3, 3)) *
+                             Matrix::rotation(random.unitVector(), random.uniform(0, 360)) *
+                             Matrix::scale(random.inCube(-2, 2));
+      geometry.addBounds(instance == 0 ? Matrix() : toWorld, box);
+      for (int k = 0; k < 2000; ++k) {
+        expected.extend(
+            (instance == 0 ? Matrix() : toWorld).transformPoint(vertices[std::size_t(k)]));
+      }
+      CHECK_EQUAL(box.low(), expected.low());
+      CHECK_EQUAL(box.high(), expected.high());
+    }
+  }
+}
+
+TEST("faces without area are counted in every part of a large mesh") {
+  // A fan of faces {0, 1, 2}; every third one has a corner twice.
+  Faces faces;
+  for (std::uint32_t k = 0; k < 100'000; ++k) faces.push_back({0, 1, k % 3 == 0 ? 1u : 2u});
+  CHECK_EQUAL(MeshGeometry(kCorners, faces).countFlatFaces(), 33'334u);
+  BoundingBox box;
+  MeshGeometry(kCorners, {}).addBounds(Matrix(), box);
+  CHECK(box.isEmpty());
 }

@@ -1,6 +1,8 @@
 // Numbers: what counts as one, limits, and rounding against the C library.
 #include "scene/number_reader.h"
 
+#include <atomic>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +11,7 @@
 #include <random>
 
 #include "check.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -145,6 +148,54 @@ TEST("a million random words agree with strtod and strtof to the last bit") {
     read += isRead;
   }
   CHECK(read > 900'000);
+}
+
+TEST("ten million random words agree with std::from_chars to the last bit") {
+  std::atomic<int> read{0}, wrong{0};
+  runOnThreads(4, 1 << 20, [&](int seed) {
+    std::mt19937_64 random(std::uint64_t(seed) + 100);
+    for (int i = 0; i < 2'500'000; ++i) {
+      const std::string word = randomWord(random);
+      const char *const start = word.data() + (word[0] == '+'), *const end = &word[word.size()];
+      double expected = 0, value = 0;
+      float expectedSingle = 0, single = 0;
+      const bool isIn = std::from_chars(start, end, expected).ec == std::errc();
+      const bool isSingleIn = std::from_chars(start, end, expectedSingle).ec == std::errc();
+      // from_chars refuses underflow, which here gives a zero or a denormal: see the tests above.
+      if ((isIn && !(readDouble(word, value) && areSame(value, expected))) ||
+          (isSingleIn && !(readFloat(word, single) && areSame(single, expectedSingle)))) {
+        if (++wrong == 1) std::printf("%s\n", word.c_str());
+      }
+      read += isIn && isSingleIn;
+    }
+  });
+  CHECK_EQUAL(wrong, 0);
+  CHECK(read > 8'000'000);
+}
+
+TEST("numbers halfway between two floats or doubles, and a trace beside them, are rounded right") {
+  std::mt19937_64 random(22);
+  for (int i = 0; i < 100'000; ++i) {
+    // 54 and 25 bits, the last of them set: halfway. Written out in full, with up to 60 decimals.
+    const bool isSingle = i % 2 == 0;
+    const std::uint64_t bits = isSingle ? random() >> 39 | 1 : random() >> 10 | 1;
+    char text[128];
+    std::snprintf(text, sizeof text, "%.60Lf",
+                  std::ldexp(static_cast<long double>(bits), -int(random() % 60)));
+    std::string word(text);
+    const std::size_t kept = word.find_last_not_of('0');
+    word = word.substr(0, kept + 1);
+    for (const std::string& tail : {std::string(), std::string("00000000000000000000001")}) {
+      const std::string full = word + tail;
+      double value = 0;
+      float single = 0;
+      const bool isRight = readDouble(full, value) && readFloat(full, single) &&
+                           areSame(value, std::strtod(full.c_str(), nullptr)) &&
+                           areSame(single, std::strtof(full.c_str(), nullptr));
+      if (!isRight) check::report(false, __FILE__, __LINE__, full);
+    }
+  }
+  CHECK(asFloat("16777217") == 16777216.0f);
 }
 
 TEST("random doubles and floats written with all their digits come back") {
