@@ -49,8 +49,8 @@ inline unsigned less(Float8 a, Float8 b) {
 #else
 inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
   const __m256i lanes = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-  const __m256i taken = _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(int(bits)), lanes),
-                                           lanes);
+  const __m256i taken =
+      _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(int(bits)), lanes), lanes);
   return {_mm256_blendv_ps(b.v, a.v, _mm256_castsi256_ps(taken))};
 }
 inline unsigned lessOrEqual(Float8 a, Float8 b) {
