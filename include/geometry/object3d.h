@@ -7,6 +7,12 @@
 #include "math/bounding_box.h"
 #include "math/matrix.h"
 
+/// The question of occluded(), to be asked along with others.
+struct ShadowQuery {
+  Ray ray;
+  double tmin, tmax;
+};
+
 class Object3D {
  public:
   virtual ~Object3D() = default;
@@ -19,6 +25,14 @@ class Object3D {
   /// True when any surface lies at tmin < t < tmax. Cheaper than intersect: no normal, no
   /// material, and the first hit ends it. By default it asks intersect.
   virtual bool occluded(const Ray& ray, double tmin, double tmax) const;
+
+  /// Asks intersect for `count` rays, each with its own hit: hits[i] is changed as
+  /// intersect(rays[i], hits[i], tmin) would. Meant for rays that run close together, up to
+  /// kBatchSize of them, which some objects answer faster than one by one.
+  virtual void intersectBatch(const Ray* rays, int count, double tmin, Hit* hits) const;
+  /// Asks occluded for `count` queries and stores each answer in blocked[i].
+  virtual void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const;
+  static constexpr int kBatchSize = 256;
 
   /// Reports every crossing of the ray with a surface at t > 0. By default it asks intersect
   /// again and again, and calls the object open.

@@ -1,11 +1,13 @@
 // CompiledScene: turns the tree of objects into spaces, each with a tree of boxes.
 #include "accel/compiled_scene.h"
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <sstream>
 
 #include "accel/mesh_tree.h"
+#include "accel/packet.h"
 #include "accel/space.h"
 #include "geometry/group.h"
 
@@ -116,12 +118,31 @@ CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) 
 CompiledScene::~CompiledScene() = default;
 
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, double tmin) const {
-  accel::NearestQuery query{hit, tmin, hit.getT()};
+  accel::NearestQuery query{&hit, tmin, hit.getT()};
   return content_->root.nearest(ray, query);
 }
 
 bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
   return content_->root.occluded(ray, tmin, tmax);
+}
+
+void CompiledScene::intersectBatch(const Ray* rays, int count, double tmin, Hit* hits) const {
+  constexpr int kMost = accel::RayPacket::kMostRays;
+  for (int first = 0; first < count; first += kMost) {
+    accel::NearestQuery queries[kMost];
+    const int some = std::min(kMost, count - first);
+    for (int i = 0; i < some; ++i) queries[i] = {hits + first + i, tmin, hits[first + i].getT()};
+    content_->root.nearest(rays + first, some, queries);
+  }
+}
+
+void CompiledScene::occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const {
+  constexpr int kMost = accel::RayPacket::kMostRays;
+  for (int first = 0; first < count; first += kMost) {
+    const int some = std::min(kMost, count - first);
+    const std::uint64_t bits = content_->root.occluded(queries + first, some);
+    for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
+  }
 }
 
 void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {

@@ -6,18 +6,21 @@
 #include <immintrin.h>
 #endif
 
+#include "accel/packet.h"
 #include "accel/traversal.h"
 
 namespace accel {
 namespace avx2 {
-#include "accel/simd.h"
-
 #include "accel/kernels.inc"
 }  // namespace avx2
 
 const Kernels& avx2Kernels() {
-  static const Kernels kernels = {"avx2", avx2::traverse<Purpose::nearest>,
-                                  avx2::traverse<Purpose::any>, avx2::traverse<Purpose::all>};
+  static const Kernels kernels = {"avx2",
+                                  avx2::traverse<Purpose::nearest>,
+                                  avx2::traverse<Purpose::any>,
+                                  avx2::traverse<Purpose::all>,
+                                  avx2::traversePacket<Purpose::nearest>,
+                                  avx2::traversePacket<Purpose::any>};
   return kernels;
 }
 

@@ -6,18 +6,21 @@
 #include <immintrin.h>
 #endif
 
+#include "accel/packet.h"
 #include "accel/traversal.h"
 
 namespace accel {
 namespace avx512 {
-#include "accel/simd.h"
-
 #include "accel/kernels.inc"
 }  // namespace avx512
 
 const Kernels& avx512Kernels() {
-  static const Kernels kernels = {"avx512", avx512::traverse<Purpose::nearest>,
-                                  avx512::traverse<Purpose::any>, avx512::traverse<Purpose::all>};
+  static const Kernels kernels = {"avx512",
+                                  avx512::traverse<Purpose::nearest>,
+                                  avx512::traverse<Purpose::any>,
+                                  avx512::traverse<Purpose::all>,
+                                  avx512::traversePacket<Purpose::nearest>,
+                                  avx512::traversePacket<Purpose::any>};
   return kernels;
 }
 

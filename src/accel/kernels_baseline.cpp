@@ -5,19 +5,21 @@
 #include <emmintrin.h>
 #endif
 
+#include "accel/packet.h"
 #include "accel/traversal.h"
 
 namespace accel {
 namespace baseline {
-#include "accel/simd.h"
-
 #include "accel/kernels.inc"
 }  // namespace baseline
 
 const Kernels& baselineKernels() {
-  static const Kernels kernels = {"baseline", baseline::traverse<Purpose::nearest>,
+  static const Kernels kernels = {"baseline",
+                                  baseline::traverse<Purpose::nearest>,
                                   baseline::traverse<Purpose::any>,
-                                  baseline::traverse<Purpose::all>};
+                                  baseline::traverse<Purpose::all>,
+                                  baseline::traversePacket<Purpose::nearest>,
+                                  baseline::traversePacket<Purpose::any>};
   return kernels;
 }
 

@@ -103,7 +103,7 @@ bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleM
   NearestInMesh::resolve(r);
   if (!self.found) return false;
   mesh.setHit(self.winner.face, self.winner.a, self.winner.b, self.winner.c, ray, query.t,
-              query.hit);
+              *query.hit);
   return true;
 }
 

@@ -22,6 +22,10 @@ inline Float8 squareRoot(Float8 a) { return {_mm256_sqrt_ps(a.v)}; }
 inline Float8 smaller(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline Float8 larger(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
 inline Float8 absolute(Float8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+/// a, negated in the lanes where b is negative.
+inline Float8 withSignOf(Float8 a, Float8 b) {
+  return {_mm256_xor_ps(a.v, _mm256_and_ps(_mm256_set1_ps(-0.0f), b.v))};
+}
 #if defined(__FMA__)
 inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
 inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) {
@@ -32,6 +36,10 @@ inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
 #endif
 #if defined(__AVX512VL__)
+/// a in the lanes of `bits`, b in the others.
+inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
+  return {_mm256_mask_blend_ps(__mmask8(bits), b.v, a.v)};
+}
 inline unsigned lessOrEqual(Float8 a, Float8 b) {
   return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
 }
@@ -39,6 +47,12 @@ inline unsigned less(Float8 a, Float8 b) {
   return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
 }
 #else
+inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
+  const __m256i lanes = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  const __m256i taken =
+      _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(int(bits)), lanes), lanes);
+  return {_mm256_blendv_ps(b.v, a.v, _mm256_castsi256_ps(taken))};
+}
 inline unsigned lessOrEqual(Float8 a, Float8 b) {
   return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
@@ -82,6 +96,19 @@ inline Float8 larger(Float8 a, Float8 b) {
 inline Float8 absolute(Float8 a) {
   const __m128 sign = _mm_set1_ps(-0.0f);
   return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
+}
+inline Float8 withSignOf(Float8 a, Float8 b) {
+  const __m128 sign = _mm_set1_ps(-0.0f);
+  return {_mm_xor_ps(a.low, _mm_and_ps(sign, b.low)), _mm_xor_ps(a.high, _mm_and_ps(sign, b.high))};
+}
+inline __m128 selected4(unsigned bits, __m128 a, __m128 b) {
+  const __m128i lanes = _mm_setr_epi32(1, 2, 4, 8);
+  const __m128i taken = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(int(bits)), lanes), lanes);
+  const __m128 mask = _mm_castsi128_ps(taken);
+  return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
+}
+inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
+  return {selected4(bits, a.low, b.low), selected4(bits >> 4, a.high, b.high)};
 }
 inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
@@ -127,6 +154,14 @@ inline Float8 squareRoot(Float8 a) {
 inline Float8 smaller(Float8 a, Float8 b) { return {a.v < b.v ? a.v : b.v}; }
 inline Float8 larger(Float8 a, Float8 b) { return {a.v > b.v ? a.v : b.v}; }
 inline Float8 absolute(Float8 a) { return {a.v < 0 ? -a.v : a.v}; }
+inline Float8 withSignOf(Float8 a, Float8 b) {
+  for (int lane = 0; lane < 8; ++lane) a.v[lane] = b.v[lane] < 0 ? -a.v[lane] : a.v[lane];
+  return a;
+}
+inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
+  for (int lane = 0; lane < 8; ++lane) a.v[lane] = (bits >> lane & 1) != 0 ? a.v[lane] : b.v[lane];
+  return a;
+}
 inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
 inline unsigned lessOrEqual(Float8 a, Float8 b) { return bitsOf(a.v <= b.v); }

@@ -119,13 +119,13 @@ bool Space::nearestOf(const Entry& entry, const Ray& ray, NearestQuery& query) c
                          transform.toObject(ray), query)) {
         return false;
       }
-      transform.toParent(ray, query.hit);
+      transform.toParent(ray, *query.hit);
       return true;
     }
     case Entry::Kind::movedSpace: {
       const Transform& transform = transformOf(entry);
       if (!entry.space->nearest(transform.toObject(ray), query)) return false;
-      transform.toParent(ray, query.hit);
+      transform.toParent(ray, *query.hit);
       return true;
     }
     case Entry::Kind::plain:
@@ -134,7 +134,7 @@ bool Space::nearestOf(const Entry& entry, const Ray& ray, NearestQuery& query) c
   Hit hit(query.inclusiveBound());
   if (!entry.object->intersect(ray, hit, query.tmin)) return false;
   if (!query.accepts(hit.getT(), entry.order, hit.getPart())) return false;
-  query.hit = hit;
+  *query.hit = hit;
   query.t = hit.getT();
   query.order = entry.order;
   query.part = hit.getPart();
@@ -176,24 +176,30 @@ bool Space::nearest(const Ray& ray, NearestQuery& query) const {
   for (const std::uint32_t id : direct_) {
     if (nearestOf(entries_[id], ray, query)) found = true;
   }
-  if (bvh_.isEmpty()) return found;
+  return nearestInTree(ray, query) || found;
+}
+
+bool Space::nearestInTree(const Ray& ray, NearestQuery& query) const {
   TraversalRay r;
   NearestInSpace self{{*this, ray, {}}, query};
-  if (!prepareRay(bvh_, ray, query.tmin, query.t, r, self.time)) return found;
+  if (bvh_.isEmpty() || !prepareRay(bvh_, ray, query.tmin, query.t, r, self.time)) return false;
   attach(r, self);
   kernels_->nearest(r);
   NearestInSpace::resolve(r);
-  return found || self.found;
+  return self.found;
 }
 
 bool Space::occluded(const Ray& ray, double tmin, double tmax) const {
   for (const std::uint32_t id : direct_) {
     if (occludedBy(entries_[id], ray, tmin, tmax)) return true;
   }
-  if (bvh_.isEmpty()) return false;
+  return occludedInTree(ray, tmin, tmax);
+}
+
+bool Space::occludedInTree(const Ray& ray, double tmin, double tmax) const {
   TraversalRay r;
   OccludedInSpace self{{*this, ray, {}}, tmin, tmax};
-  if (!prepareRay(bvh_, ray, tmin, tmax, r, self.time)) return false;
+  if (bvh_.isEmpty() || !prepareRay(bvh_, ray, tmin, tmax, r, self.time)) return false;
   attach(r, self);
   return kernels_->any(r);
 }

@@ -18,8 +18,8 @@ class Space;
 struct NearestQuery {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 
-  Hit& hit;  ///< what has been recorded; its t may lag behind `t`
-  double tmin;
+  Hit* hit = nullptr;  ///< what has been recorded; its t may lag behind `t`
+  double tmin = 0;
   double t;                        ///< the nearest t found, or the upper bound given
   std::uint32_t order = kNothing;  ///< of the object found, in the scene; kNothing: none found
   std::uint32_t part = 0;
@@ -63,6 +63,11 @@ class Space {
   bool occluded(const Ray& ray, double tmin, double tmax) const;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const;
 
+  /// Asks for up to RayPacket::kMostRays rays that run close together; bit i of the result says
+  /// whether rays[i] found something (is blocked).
+  std::uint64_t nearest(const Ray* rays, int count, NearestQuery* queries) const;
+  std::uint64_t occluded(const ShadowQuery* queries, int count) const;
+
   bool isBounded() const { return bounded_; }
   const BoundingBox& box() const { return box_; }
   const WideBvh& bvh() const { return bvh_; }
@@ -75,6 +80,9 @@ class Space {
   void visitCrossingsOf(const Entry& entry, const Ray& ray, CrossingVisitor& visitor) const;
 
  private:
+  bool nearestInTree(const Ray& ray, NearestQuery& query) const;
+  bool occludedInTree(const Ray& ray, double tmin, double tmax) const;
+
   const Kernels* kernels_;  // not owned
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> direct_;  // entries that are asked one by one
@@ -90,5 +98,11 @@ bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const Triangle
                     const Ray& ray, double tmin, double tmax);
 void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                         const Ray& ray, CrossingVisitor& visitor);
+
+/// The same for up to RayPacket::kMostRays rays, as Space's.
+std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
+                            std::uint32_t order, const Ray* rays, int count, NearestQuery* queries);
+std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
+                             const ShadowQuery* queries, int count);
 
 }  // namespace accel

@@ -33,6 +33,8 @@ struct Candidate {
   float tLow;  ///< it is not hit at any t' below this
 };
 
+struct RayPacket;
+
 struct TraversalRay {
   static constexpr int kMostCandidates = 16;
 
@@ -76,6 +78,9 @@ struct Kernels {
   bool (*nearest)(TraversalRay& ray);
   bool (*any)(TraversalRay& ray);
   bool (*all)(TraversalRay& ray);
+  /// Find the nearest hits of a packet, or which of its rays are blocked.
+  void (*nearestOfPacket)(RayPacket& packet);
+  void (*anyOfPacket)(RayPacket& packet);
 };
 
 const Kernels& baselineKernels();
