@@ -1,0 +1,30 @@
+// What the benchmark is asked to do.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "accel/compiled_scene.h"
+
+namespace bench {
+
+struct Size {
+  std::string name;  ///< "70k", "1m" or "10m"
+  double triangles;
+};
+
+struct BenchOptions {
+  std::vector<std::string> rows;  ///< of rays, build, read, program, tiny; never empty
+  std::vector<Size> sizes;        ///< never empty
+  int rounds = 5;
+  int side = 1024;            ///< of the picture of rays
+  bool isSingleOnly = false;  ///< leave out our batches
+  SimdLevel simd = SimdLevel::automatic;
+  std::string folder;  ///< for meshes, scenes and pictures
+
+  bool wants(const std::string& row) const;
+};
+
+/// Throws std::runtime_error for a word that it does not know.
+BenchOptions parseBenchOptions(int count, char** words);
+
+}  // namespace bench
