@@ -1,4 +1,4 @@
-// The benchmark: raytracer_bench [row ...] [size ...] [-quick] [-single] [-simd NAME].
+// The benchmark: raytracer_bench [row ...] [size ...] [-quick] [-single] [-cpu] [-simd NAME].
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -1,6 +1,8 @@
 // Medians, and the lines of the table.
 #include "measure.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -12,6 +14,12 @@ std::string numberText(double value) {
   const double size = value < 0 ? -value : value;
   std::snprintf(text, sizeof text, size >= 1000 ? "%.0f" : size >= 100 ? "%.1f" : "%.3g", value);
   return text;
+}
+
+double now(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
 std::string samplesText(const Samples& samples) {
@@ -47,6 +55,13 @@ Samples Samples::scaled(double factor) const {
   Samples result;
   for (const double value : values_) result.add(factor * value);
   return result;
+}
+
+double secondsOf(Clock clock, int threads, const std::function<void()>& work) {
+  const clockid_t id = clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID;
+  const double start = now(id);
+  work();
+  return (now(id) - start) / (clock == Clock::wall ? 1 : threads);
 }
 
 std::vector<Samples> inTurns(int rounds, const std::vector<std::function<double()>>& contenders) {

@@ -1,6 +1,5 @@
 // Measuring: contenders take turns, and the median of each one's rounds counts.
 #pragma once
-#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,13 +23,13 @@ class Samples {
   std::vector<double> values_;
 };
 
-/// Seconds that work() takes.
-template <class Work>
-double secondsOf(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// What a second is: of the clock on the wall, or of processor time that all threads together
+/// use, divided by their number. The latter hardly sees what else the machine does, nor that
+/// threads wait for each other.
+enum class Clock { wall, processor };
+
+/// Seconds that work() takes on `threads` threads.
+double secondsOf(Clock clock, int threads, const std::function<void()>& work);
 
 /// Calls every contender `rounds` times, in turns; each returns its seconds.
 std::vector<Samples> inTurns(int rounds, const std::vector<std::function<double()>>& contenders);

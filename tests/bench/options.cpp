@@ -47,12 +47,14 @@ BenchOptions parseBenchOptions(int count, char** words) {
       options.side = 512;
     } else if (word == "-single") {
       options.isSingleOnly = true;
+    } else if (word == "-cpu") {
+      options.clock = Clock::processor;
     } else if (word == "-simd" && i + 1 < count) {
       options.simd = levelNamed(words[++i]);
     } else {
       throw std::runtime_error(
           "usage: raytracer_bench [rays|build|read|program|tiny ...] [70k|1m|10m ...] [-quick] "
-          "[-single] [-simd NAME]");
+          "[-single] [-cpu] [-simd NAME]");
     }
   }
   if (options.rows.empty()) options.rows = kRows;

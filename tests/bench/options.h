@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "accel/compiled_scene.h"
+#include "measure.h"
 
 namespace bench {
 
@@ -18,6 +19,7 @@ struct BenchOptions {
   int rounds = 5;
   int side = 1024;            ///< of the picture of rays
   bool isSingleOnly = false;  ///< leave out our batches
+  Clock clock = Clock::wall;  ///< of the rows rays and build
   SimdLevel simd = SimdLevel::automatic;
   std::string folder;  ///< for meshes, scenes and pictures
 

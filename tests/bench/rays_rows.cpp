@@ -1,4 +1,5 @@
 // Rays per second: the same rays through our compiled scene and through the rival, in turns.
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <map>
@@ -36,10 +37,10 @@ constexpr Figure kFigures[] = {
 using TraceTiles = std::function<std::size_t(std::size_t first, std::size_t end)>;
 
 /// Seconds to trace all tiles on `threads` threads, which fetch 16 tiles at a time.
-double secondsToTrace(const RaySet& set, int threads, const TraceTiles& trace, std::size_t& hits) {
+double secondsToTrace(Clock clock, const RaySet& set, int threads, const TraceTiles& trace, std::size_t& hits) {
   constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next{0}, sum{0};
-  const double seconds = secondsOf([&] {
+  const double seconds = secondsOf(clock, threads, [&] {
     runOnThreads(threads, 0, [&](int) {
       std::size_t mine = 0;
       for (std::size_t first; (first = next.fetch_add(kChunk)) < set.tileCount();) {
@@ -133,7 +134,7 @@ Samples RayRows::measure(const Figure& figure, const RaySet& set, int threads) {
   std::vector<std::size_t> hits(ways.size());
   std::vector<std::function<double()>> contenders;
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    contenders.push_back([&, i] { return secondsToTrace(set, threads, ways[i], hits[i]); });
+    contenders.push_back([&, i] { return secondsToTrace(options_.clock, set, threads, ways[i], hits[i]); });
   }
   const std::vector<Samples> seconds = inTurns(options_.rounds, contenders);
   std::vector<Samples> rates;
@@ -172,7 +173,7 @@ void RayRows::runRobust() {
   const RaySet set = makeRays(RayKind::primary, compiled_, options_.side);
   std::size_t hits = 0;
   const auto timed = [&](const EmbreeScene& scene) {
-    return secondsToTrace(set, 1, [&](std::size_t first, std::size_t end) {
+    return secondsToTrace(options_.clock, set, 1, [&](std::size_t first, std::size_t end) {
       return scene.traceSingle(set, first, end, false, true);
     }, hits);
   };
