@@ -1,20 +1,29 @@
 // The benchmark: raytracer_bench [row ...] [size ...] [-quick] [-single] [-cpu] [-simd NAME].
 #include <cstdio>
 #include <exception>
-#include <filesystem>
+#include <string>
 
+#include "child.h"
 #include "rows.h"
 
 namespace {
 
 void runRows(const bench::BenchOptions& options) {
   if (options.wants("rays")) bench::runRayRows(options);
+  if (options.wants("build")) bench::runBuildRows(options);
+  if (options.wants("read")) bench::runReadRows(options);
+  if (options.wants("program")) bench::runProgramRows(options);
+  if (options.wants("tiny")) bench::runTinyRows(options);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
   try {
+    if (count > 1 && std::string(words[1]) == "_child") {
+      bench::runChild({words + 2, words + count});
+      return 0;
+    }
     runRows(bench::parseBenchOptions(count, words));
     return 0;
   } catch (const std::exception& error) {

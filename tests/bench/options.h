@@ -21,12 +21,13 @@ struct BenchOptions {
   bool isSingleOnly = false;  ///< leave out our batches
   Clock clock = Clock::wall;  ///< of the rows rays and build
   SimdLevel simd = SimdLevel::automatic;
-  std::string folder;  ///< for meshes, scenes and pictures
 
   bool wants(const std::string& row) const;
 };
 
-/// Throws std::runtime_error for a word that it does not know.
+/// These throw std::runtime_error for a word that they do not know.
+Size sizeNamed(const std::string& name);
+SimdLevel simdNamed(const std::string& name);
 BenchOptions parseBenchOptions(int count, char** words);
 
 }  // namespace bench

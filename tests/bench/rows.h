@@ -18,8 +18,4 @@ void runProgramRows(const BenchOptions& options);
 /// Whole runs on the mirror-ball scene.
 void runTinyRows(const BenchOptions& options);
 
-/// What a child process that the rows above started is to measure: `words` are its arguments
-/// behind "_child". Prints its numbers on one line.
-void runChild(const std::vector<std::string>& words);
-
 }  // namespace bench
