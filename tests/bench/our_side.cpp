@@ -4,8 +4,28 @@
 namespace bench {
 namespace {
 
-void nearestOfTile(const CompiledScene& scene, const Ray* rays, int count, double tmin, Hit* hits) {
-  for (int i = 0; i < count; ++i) scene.intersect(rays[i], hits[i], tmin);
+std::size_t nearestOfTile(const CompiledScene& scene, const RaySet& set, std::size_t start,
+                          int count) {
+  Hit hits[Object3D::kBatchSize];
+  scene.intersectBatch(set.rays.data() + start, count, set.tmin, hits);
+  std::size_t found = 0;
+  for (int i = 0; i < count; ++i) found += hits[i].getMaterial() != nullptr;
+  return found;
+}
+
+/// The queries are put together here, as a renderer has to.
+std::size_t blockedInTile(const CompiledScene& scene, const RaySet& set, std::size_t start,
+                          int count) {
+  ShadowQuery queries[Object3D::kBatchSize];
+  bool blocked[Object3D::kBatchSize];
+  for (int i = 0; i < count; ++i) {
+    const std::size_t ray = start + std::size_t(i);
+    queries[i] = {set.rays[ray], set.tmin, set.tmax[ray]};
+  }
+  scene.occludedBatch(queries, count, blocked);
+  std::size_t found = 0;
+  for (int i = 0; i < count; ++i) found += blocked[i];
+  return found;
 }
 
 }  // namespace
@@ -26,14 +46,13 @@ std::size_t traceOurSingle(const CompiledScene& scene, const RaySet& set, std::s
 
 std::size_t traceOurBatches(const CompiledScene& scene, const RaySet& set, std::size_t first,
                             std::size_t end, bool anyHit) {
-  if (anyHit) return traceOurSingle(scene, set, first, end, anyHit);
   std::size_t found = 0;
   for (std::size_t tile = first; tile < end; ++tile) {
     const std::size_t start = set.firstRay[tile];
     const int count = int(set.firstRay[tile + 1] - start);
-    Hit hits[256];
-    nearestOfTile(scene, set.rays.data() + start, count, set.tmin, hits);
-    for (int i = 0; i < count; ++i) found += hits[i].getMaterial() != nullptr;
+    if (count == 0) continue;
+    found += anyHit ? blockedInTile(scene, set, start, count)
+                    : nearestOfTile(scene, set, start, count);
   }
   return found;
 }
