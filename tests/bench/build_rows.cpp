@@ -37,9 +37,8 @@ BuildMemory memoryInChild(const std::string& side, const Size& size, const Bench
 
 double secondsToBuild(const BenchOptions& options, const TriangleMesh& mesh, int threads) {
   std::unique_ptr<CompiledScene> scene;
-  return secondsOf(options.clock, threads, [&] {
-    scene = std::make_unique<CompiledScene>(mesh, threads, options.simd);
-  });
+  return secondsOf(options.clock, threads,
+                   [&] { scene = std::make_unique<CompiledScene>(mesh, threads, options.simd); });
 }
 
 double secondsToBuildEmbree(const BenchOptions& options, const MeshGeometry& mesh, int threads) {

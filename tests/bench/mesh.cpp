@@ -16,18 +16,19 @@ namespace {
 constexpr double kRadius = 10;
 constexpr double kGolden = 1.618033988749895;
 
-constexpr double kCorners[12][3] = {
-    {-1, kGolden, 0}, {1, kGolden, 0}, {-1, -kGolden, 0}, {1, -kGolden, 0},
-    {0, -1, kGolden}, {0, 1, kGolden}, {0, -1, -kGolden}, {0, 1, -kGolden},
-    {kGolden, 0, -1}, {kGolden, 0, 1}, {-kGolden, 0, -1}, {-kGolden, 0, 1}};
+constexpr double kCorners[12][3] = {{-1, kGolden, 0},  {1, kGolden, 0},   {-1, -kGolden, 0},
+                                    {1, -kGolden, 0},  {0, -1, kGolden},  {0, 1, kGolden},
+                                    {0, -1, -kGolden}, {0, 1, -kGolden},  {kGolden, 0, -1},
+                                    {kGolden, 0, 1},   {-kGolden, 0, -1}, {-kGolden, 0, 1}};
 constexpr std::uint32_t kFaces[20][3] = {
-    {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-    {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
 
 /// A number in [-1, 1) for each point of the integer grid.
 double latticeValue(std::int64_t x, std::int64_t y, std::int64_t z) {
-  std::uint64_t h = std::uint64_t(x) * 0x9E3779B97F4A7C15u + std::uint64_t(y) * 0xC2B2AE3D27D4EB4Fu +
+  std::uint64_t h = std::uint64_t(x) * 0x9E3779B97F4A7C15u +
+                    std::uint64_t(y) * 0xC2B2AE3D27D4EB4Fu +
                     std::uint64_t(z) * 0x165667B19E3779F9u + 12345;
   h = (h ^ (h >> 31)) * 0xBF58476D1CE4E5B9u;
   h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
@@ -44,7 +45,8 @@ double noise(const Vec3d& p) {
   for (int k = 0; k < 2; ++k) {
     double lines[2];
     for (int j = 0; j < 2; ++j) {
-      lines[j] = mixed(latticeValue(x, y + j, z + k), latticeValue(x + 1, y + j, z + k), p.x() - fx);
+      lines[j] =
+          mixed(latticeValue(x, y + j, z + k), latticeValue(x + 1, y + j, z + k), p.x() - fx);
     }
     planes[k] = mixed(lines[0], lines[1], p.y() - fy);
   }
@@ -94,7 +96,8 @@ class Grid {
       const double* c = kCorners[kFaces[face][k]];
       return Vec3d(c[0], c[1], c[2]);
     };
-    return normalize(corner(0) * double(n_ - i - j) + corner(1) * double(i) + corner(2) * double(j));
+    return normalize(corner(0) * double(n_ - i - j) + corner(1) * double(i) +
+                     corner(2) * double(j));
   }
 
  private:
@@ -112,7 +115,8 @@ class Grid {
   std::uint32_t inner_ = 0;
 };
 
-void addFaces(const Grid& grid, std::uint32_t face, int cuts, std::vector<MeshGeometry::Face>& out) {
+void addFaces(const Grid& grid, std::uint32_t face, int cuts,
+              std::vector<MeshGeometry::Face>& out) {
   const auto n = std::uint32_t(cuts);
   for (std::uint32_t j = 0; j < n; ++j) {
     for (std::uint32_t i = 0; i + j < n; ++i) {

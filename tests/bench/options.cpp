@@ -27,13 +27,15 @@ Size sizeNamed(const std::string& name) {
   for (const Size& size : kSizes) {
     if (size.name == name) return size;
   }
-  throw std::runtime_error("expected a row (rays, build, read, program, tiny) or a size (70k, 1m, "
-                           "10m), found " + name);
+  throw std::runtime_error(
+      "expected a row (rays, build, read, program, tiny) or a size (70k, 1m, "
+      "10m), found " +
+      name);
 }
 
 SimdLevel simdNamed(const std::string& name) {
-  for (const SimdLevel level : {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2,
-                                SimdLevel::avx512}) {
+  for (const SimdLevel level :
+       {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
     if (name == nameOf(level)) return level;
   }
   throw std::runtime_error("expected auto, baseline, avx2 or avx512, found " + name);

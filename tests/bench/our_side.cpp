@@ -51,8 +51,8 @@ std::size_t traceOurBatches(const CompiledScene& scene, const RaySet& set, std::
     const std::size_t start = set.firstRay[tile];
     const int count = int(set.firstRay[tile + 1] - start);
     if (count == 0) continue;
-    found += anyHit ? blockedInTile(scene, set, start, count)
-                    : nearestOfTile(scene, set, start, count);
+    found +=
+        anyHit ? blockedInTile(scene, set, start, count) : nearestOfTile(scene, set, start, count);
   }
   return found;
 }

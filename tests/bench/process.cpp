@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -23,8 +24,8 @@ class FileActions {
  public:
   explicit FileActions(const std::string& outputFile) {
     posix_spawn_file_actions_init(&actions_);
-    const char* target = outputFile.empty() ? "/dev/null" : outputFile.c_str();
-    posix_spawn_file_actions_addopen(&actions_, 1, target, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_addopen(&actions_, 1, outputFile.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                     0644);
   }
   ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
   FileActions(const FileActions&) = delete;
@@ -64,6 +65,17 @@ Run runProcess(const std::vector<std::string>& words, const std::string& outputF
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (status != 0) throw std::runtime_error(words[0] + ": failed");
   return {taken.count(), double(usage.ru_maxrss) * 1024};
+}
+
+Run runFresh(const std::vector<std::string>& words, const std::string& outputFile) {
+  std::vector<std::string> all = {ownProgram(), "_child", "run", outputFile};
+  all.insert(all.end(), words.begin(), words.end());
+  const std::string line = outputOf(all);
+  Run run;
+  if (std::sscanf(line.c_str(), "%lf %lf", &run.seconds, &run.peakBytes) != 2) {
+    throw std::runtime_error("expected seconds and bytes, found: " + line);
+  }
+  return run;
 }
 
 std::string outputOf(const std::vector<std::string>& words) {

@@ -7,13 +7,17 @@ namespace bench {
 
 /// What one run of a program took.
 struct Run {
-  double seconds = 0;    ///< from its start until its end is known
-  double peakBytes = 0;  ///< the most memory that was resident
+  double seconds = 0;  ///< from its start until its end is known
+  /// The most memory that was resident, in it or, before it started, in the process that called.
+  double peakBytes = 0;
 };
 
 /// Runs words[0] with the rest as arguments, waits for it, and throws std::runtime_error where it
-/// fails. Its output goes to `outputFile`, or nowhere if that is "".
-Run runProcess(const std::vector<std::string>& words, const std::string& outputFile = "");
+/// fails. Its output goes to `outputFile`.
+Run runProcess(const std::vector<std::string>& words, const std::string& outputFile = "/dev/null");
+
+/// The same from a fresh small process, so that peakBytes is the program's own.
+Run runFresh(const std::vector<std::string>& words, const std::string& outputFile = "/dev/null");
 
 /// The same; returns what the program wrote to standard output.
 std::string outputOf(const std::vector<std::string>& words);

@@ -67,17 +67,17 @@ class ProgramRows {
  private:
   void runOurs() {
     const std::string side = std::to_string(options_.side);
-    ours_.add(runProcess({RAYTRACER_PROGRAM, "-input", folder_.file("scene.txt"), "-output",
-                          folder_.file("ours.tga"), "-size", side, side, "-bounces",
-                          std::to_string(kBounces), "-weight", "0.01", "-quiet"}));
+    ours_.add(runFresh({RAYTRACER_PROGRAM, "-input", folder_.file("scene.txt"), "-output",
+                        folder_.file("ours.tga"), "-size", side, side, "-bounces",
+                        std::to_string(kBounces), "-weight", "0.01", "-quiet"}));
     ours_.addPhases(outputOf({ownProgram(), "_child", "phases", folder_.file("scene.txt"),
                               folder_.file("phases.tga"), side, nameOf(options_.simd)}));
   }
   void runTheirs() {
     const std::string output = folder_.file("phases");
-    theirs_.add(runProcess({rivalProgram(), folder_.file("mesh.obj"), folder_.file("theirs.tga"),
-                            std::to_string(options_.side)},
-                           output));
+    theirs_.add(runFresh({rivalProgram(), folder_.file("mesh.obj"), folder_.file("theirs.tga"),
+                          std::to_string(options_.side)},
+                         output));
     theirs_.addPhases(contentOf(output));
   }
   void print() const;
@@ -101,7 +101,8 @@ void ProgramRows::print() const {
 
 /// Both programs must have drawn the same scene: float rounding moves a few edges.
 void ProgramRows::printDifference() const {
-  const Image ours = readTga(folder_.file("ours.tga")), theirs = readTga(folder_.file("theirs.tga"));
+  const Image ours = readTga(folder_.file("ours.tga")),
+              theirs = readTga(folder_.file("theirs.tga"));
   int different = 0;
   for (int y = 0; y < ours.Height(); ++y) {
     for (int x = 0; x < ours.Width(); ++x) {
@@ -131,10 +132,9 @@ void measurePhases(const std::string& scene, const std::string& image, int side,
   const int threads = hardwareThreads();
   const double phases[] = {
       secondsOf(Clock::wall, 1, [&] { parser = std::make_unique<SceneParser>(scene.c_str()); }),
-      secondsOf(Clock::wall, 1,
-                [&] {
-                  compiled = std::make_unique<CompiledScene>(*parser->getGroup(), threads, simd);
-                }),
+      secondsOf(
+          Clock::wall, 1,
+          [&] { compiled = std::make_unique<CompiledScene>(*parser->getGroup(), threads, simd); }),
       secondsOf(Clock::wall, 1,
                 [&] {
                   RenderTargets targets;

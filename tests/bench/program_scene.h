@@ -13,12 +13,12 @@ struct Surface {
   float index;
 };
 
-inline constexpr Surface kMeshSurface{{0.7f, 0.6f, 0.5f}, {0.3f, 0.3f, 0.3f}, 20, {0, 0, 0},
-                                      {0.2f, 0.2f, 0.2f}, 1};
-inline constexpr Surface kFloorSurface{{0.2f, 0.2f, 0.3f}, {0, 0, 0}, 1, {0, 0, 0},
-                                       {0.7f, 0.7f, 0.7f}, 1};
-inline constexpr Surface kGlassSurface{{0, 0, 0}, {1, 1, 1}, 50, {0.9f, 0.9f, 0.9f},
-                                       {0.2f, 0.2f, 0.2f}, 1.5f};
+inline constexpr Surface kMeshSurface{{0.7f, 0.6f, 0.5f}, {0.3f, 0.3f, 0.3f}, 20,
+                                      {0, 0, 0},          {0.2f, 0.2f, 0.2f}, 1};
+inline constexpr Surface kFloorSurface{{0.2f, 0.2f, 0.3f}, {0, 0, 0},          1,
+                                       {0, 0, 0},          {0.7f, 0.7f, 0.7f}, 1};
+inline constexpr Surface kGlassSurface{{0, 0, 0},          {1, 1, 1},          50,
+                                       {0.9f, 0.9f, 0.9f}, {0.2f, 0.2f, 0.2f}, 1.5f};
 
 inline constexpr Vec3f kEye(0, 6, 34), kView(0, -0.2f, -1);
 inline constexpr float kViewAngle = 50;  ///< degrees

@@ -22,15 +22,16 @@ struct alignas(64) FloatPacket {
   int count;
 };
 
-/// A tile is 16 x 16 pixels, row by row; secondary rays keep that order and leave gaps out.
+/// A tile is 16 x 16 pixels, row by row; secondary rays keep that order and leave gaps out. Only
+/// the packets hold a tile's rays in blocks of 4 x 4 pixels, which suits them best.
 struct RaySet {
   std::vector<Ray> rays;
   std::vector<double> tmax;
   double tmin = 0;
   std::vector<FloatRay> floatRays;
-  std::vector<FloatPacket> packets;             // no packet spans two tiles
-  std::vector<std::size_t> firstRay;            // of each tile, and one more for the end
-  std::vector<std::size_t> firstPacket;         // likewise
+  std::vector<FloatPacket> packets;      // no packet spans two tiles
+  std::vector<std::size_t> firstRay;     // of each tile, and one more for the end
+  std::vector<std::size_t> firstPacket;  // likewise
 
   std::size_t tileCount() const { return firstRay.size() - 1; }
 };

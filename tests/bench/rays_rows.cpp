@@ -37,7 +37,8 @@ constexpr Figure kFigures[] = {
 using TraceTiles = std::function<std::size_t(std::size_t first, std::size_t end)>;
 
 /// Seconds to trace all tiles on `threads` threads, which fetch 16 tiles at a time.
-double secondsToTrace(Clock clock, const RaySet& set, int threads, const TraceTiles& trace, std::size_t& hits) {
+double secondsToTrace(Clock clock, const RaySet& set, int threads, const TraceTiles& trace,
+                      std::size_t& hits) {
   constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next{0}, sum{0};
   const double seconds = secondsOf(clock, threads, [&] {
@@ -134,7 +135,8 @@ Samples RayRows::measure(const Figure& figure, const RaySet& set, int threads) {
   std::vector<std::size_t> hits(ways.size());
   std::vector<std::function<double()>> contenders;
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    contenders.push_back([&, i] { return secondsToTrace(options_.clock, set, threads, ways[i], hits[i]); });
+    contenders.push_back(
+        [&, i] { return secondsToTrace(options_.clock, set, threads, ways[i], hits[i]); });
   }
   const std::vector<Samples> seconds = inTurns(options_.rounds, contenders);
   std::vector<Samples> rates;
@@ -173,9 +175,12 @@ void RayRows::runRobust() {
   const RaySet set = makeRays(RayKind::primary, compiled_, options_.side);
   std::size_t hits = 0;
   const auto timed = [&](const EmbreeScene& scene) {
-    return secondsToTrace(options_.clock, set, 1, [&](std::size_t first, std::size_t end) {
-      return scene.traceSingle(set, first, end, false, true);
-    }, hits);
+    return secondsToTrace(
+        options_.clock, set, 1,
+        [&](std::size_t first, std::size_t end) {
+          return scene.traceSingle(set, first, end, false, true);
+        },
+        hits);
   };
   const std::vector<Samples> seconds =
       inTurns(options_.rounds, {[&] { return timed(robust); }, [&] { return timed(*embree_); }});

@@ -42,13 +42,15 @@ void runSize(const BenchOptions& options, const Size& size) {
   const std::string obj = folder.file("mesh.obj"), scene = folder.file("scene.txt");
   const MeshGeometry mesh = displacedSphere(cutsForTriangles(size.triangles));
   writeObj(mesh, obj);
-  std::ofstream(scene) << "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 40 }\n"
-                          "Materials { numMaterials 1 PhongMaterial { diffuseColor 1 1 1 } }\n"
-                          "Group { numObjects 1 MaterialIndex 0 TriangleMesh { obj_file mesh.obj } }\n";
+  std::ofstream(scene)
+      << "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 40 }\n"
+         "Materials { numMaterials 1 PhongMaterial { diffuseColor 1 1 1 } }\n"
+         "Group { numObjects 1 MaterialIndex 0 TriangleMesh { obj_file mesh.obj } }\n";
   const std::size_t expected = mesh.getVertices().size() + mesh.getFaces().size();
   const auto read = [&] {
     std::unique_ptr<SceneParser> parser;
-    return secondsOf(Clock::wall, 1, [&] { parser = std::make_unique<SceneParser>(scene.c_str()); });
+    return secondsOf(Clock::wall, 1,
+                     [&] { parser = std::make_unique<SceneParser>(scene.c_str()); });
   };
   const auto findLineEnds = [&] {
     std::size_t lines = 0;

@@ -39,12 +39,13 @@ void runTinyRows(const BenchOptions& options) {
   const std::string scene = folder.file("balls.txt");
   std::ofstream(scene) << kScene;
   const std::vector<std::string> ours = {
-      RAYTRACER_PROGRAM, "-input", scene, "-output", folder.file("balls.tga"), "-size", "400",
-      "400", "-bounces", "5", "-weight", "0.01"};
+      RAYTRACER_PROGRAM, "-input", scene, "-output",  folder.file("balls.tga"),
+      "-size",           "400",    "400", "-bounces", "5",
+      "-weight",         "0.01"};
   const std::vector<std::string> theirs = {WRITE_ONLY_PROGRAM, folder.file("plain.tga"), "400"};
   const std::vector<Samples> seconds = inTurns(
-      20 * options.rounds, {[&] { return runProcess(ours).seconds; },
-                            [&] { return runProcess(theirs).seconds; }});
+      20 * options.rounds,
+      {[&] { return runProcess(ours).seconds; }, [&] { return runProcess(theirs).seconds; }});
   printRow("mirror balls, 400 x 400", "ms", seconds[0].scaled(1e3), "write only",
            seconds[1].scaled(1e3), {15, 6});
 }

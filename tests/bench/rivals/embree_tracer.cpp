@@ -28,9 +28,8 @@ double now() {
 RTCGeometry readMesh(RTCDevice device, const std::string& path) {
   const PlainObj obj(path);
   const RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* const coordinates = static_cast<float*>(
-      rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              3 * sizeof(float), obj.vertexCount()));
+  auto* const coordinates = static_cast<float*>(rtcSetNewGeometryBuffer(
+      mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), obj.vertexCount()));
   auto* const indices = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                               3 * sizeof(std::uint32_t), obj.faceCount()));
@@ -41,8 +40,7 @@ RTCGeometry readMesh(RTCDevice device, const std::string& path) {
 
 class Picture {
  public:
-  explicit Picture(int side)
-      : side_(side), bytes_(18 + 3 * std::size_t(side) * std::size_t(side)) {
+  explicit Picture(int side) : side_(side), bytes_(18 + 3 * std::size_t(side) * std::size_t(side)) {
     bytes_[2] = 2;
     bytes_[12] = bytes_[14] = static_cast<unsigned char>(side & 255);
     bytes_[13] = bytes_[15] = static_cast<unsigned char>(side >> 8);

@@ -67,7 +67,8 @@ bool PlainTracer::nearest(const Vec3f& o, const Vec3f& d, float tmin, Found& fou
 }
 
 bool PlainTracer::blocked(const Vec3f& o, const Vec3f& d, float tmax) const {
-  if (floorAt(o, d, kRayEpsilon, tmax) < tmax || ballAt(o, d, kRayEpsilon, tmax) < tmax) return true;
+  if (floorAt(o, d, kRayEpsilon, tmax) < tmax || ballAt(o, d, kRayEpsilon, tmax) < tmax)
+    return true;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray = rayOf(o, d, kRayEpsilon, tmax);
