@@ -76,19 +76,19 @@ void printRow(const std::string& figure, const std::string& unit, const Samples&
               const std::string& rival, const Samples& theirs, Target target) {
   const std::string must = target.must > 0 ? "must " + numberText(target.must) : "";
   const std::string aim = target.aim > 0 ? "aim " + numberText(target.aim) : "";
-  std::printf("%-34s %-8s %-22s %-10s %-22s %-9s %-8s %6.2f\n", figure.c_str(), unit.c_str(),
+  std::printf("%-34s %-8s %-25s %-10s %-26s %-9s %-8s %6.2f\n", figure.c_str(), unit.c_str(),
               samplesText(ours).c_str(), rival.c_str(), samplesText(theirs).c_str(), must.c_str(),
               aim.c_str(), theirs.empty() ? 0.0 : ours.median() / theirs.median());
   std::fflush(stdout);
 }
 
 void printAlone(const std::string& figure, const std::string& unit, const Samples& ours) {
-  std::printf("%-34s %-8s %-22s\n", figure.c_str(), unit.c_str(), samplesText(ours).c_str());
+  std::printf("%-34s %-8s %-25s\n", figure.c_str(), unit.c_str(), samplesText(ours).c_str());
   std::fflush(stdout);
 }
 
 void printHeading(const std::string& title) {
-  std::printf("\n%s\n%-34s %-8s %-22s %-33s %-18s %6s\n", title.c_str(), "figure", "unit",
+  std::printf("\n%s\n%-34s %-8s %-25s %-37s %-18s %6s\n", title.c_str(), "figure", "unit",
               "ours (least..most)", "theirs (least..most)", "target", "ratio");
   std::fflush(stdout);
 }
