@@ -24,15 +24,38 @@ class RayTracer {
   Vec3f shade(const Ray& ray, const Hit& hit, int bounces, float weight,
               float indexOfRefraction) const;
 
+  /// shade for `count` <= Object3D::kBatchSize eye rays that were intersected together: colors[i]
+  /// becomes shade(rays[i], hits[i], 0, 1, 1) where found[i], else the background. The shadow rays
+  /// to each light go through the scene together.
+  void shadeBatch(const Ray* rays, const Hit* hits, const bool* found, int count,
+                  Vec3f* colors) const;
+
  private:
+  /// One light as a point sees it.
+  struct LightSample {
+    Vec3d direction;  ///< unit, to the light
+    Vec3f color;      ///< what arrives where nothing is in the way
+    double distance;
+    bool isInFront;  ///< n.l > 0
+  };
+
   Vec3d ambient(const Hit& hit) const;
   Vec3d lights(const Ray& ray, const Hit& hit) const;
+  Vec3f sumOfTerms(const Ray& ray, const Hit& hit, const Vec3d& fromLights, int bounces,
+                   float weight, float indexOfRefraction) const;
+  Hit litSide(const Ray& ray, const Hit& hit) const;
+  LightSample sampleLight(int index, const Hit& lit) const;
+  Vec3d reflected(const Ray& ray, const Hit& lit, const LightSample& light,
+                  const Vec3f& visible) const;
   Vec3d mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
                float indexOfRefraction) const;
   Vec3d transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const;
 
   bool mayTrace(const Vec3f& color, int bounces, float weight) const;
-  Vec3f visibility(const Hit& hit, const Vec3d& dirToLight, double distance) const;
+  Vec3f visibility(const Hit& hit, const LightSample& light) const;
+  ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
+  void addLight(int index, const Ray* rays, const Hit* hits, const bool* found, int count,
+                Vec3d* sums) const;
   Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
   float epsilonAt(const Hit& hit) const;
 

@@ -41,9 +41,13 @@ Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float
 
 Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, int bounces, float weight,
                        float indexOfRefraction) const {
-  // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
-  return Vec3f(ambient(hit) + lights(ray, hit) +
-               mirror(ray, hit, bounces, weight, indexOfRefraction) +
+  return sumOfTerms(ray, hit, lights(ray, hit), bounces, weight, indexOfRefraction);
+}
+
+/// Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
+Vec3f RayTracer::sumOfTerms(const Ray& ray, const Hit& hit, const Vec3d& fromLights, int bounces,
+                            float weight, float indexOfRefraction) const {
+  return Vec3f(ambient(hit) + fromLights + mirror(ray, hit, bounces, weight, indexOfRefraction) +
                transmitted(ray, hit, bounces, weight));
 }
 
@@ -52,30 +56,47 @@ Vec3d RayTracer::ambient(const Hit& hit) const {
 }
 
 Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
-  Hit lit = hit;
-  if (options_.shadeBack && dot(hit.getNormal(), ray.getDirection()) > 0) {
-    lit.set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
-  }
+  const Hit lit = litSide(ray, hit);
   Vec3d sum;
   for (int i = 0; i < scene_->getNumLights(); ++i) {
-    Vec3d dirToLight;
-    Vec3f color;
-    double distance;
-    scene_->getLight(i)->getIllumination(lit.getIntersectionPoint(), dirToLight, color, distance);
-    if (!(dot(lit.getNormal(), dirToLight) > 0)) continue;
-    const Vec3f visible = visibility(hit, dirToLight, distance);
-    if (visible == Vec3f()) continue;
-    sum += hit.getMaterial()->Shade(ray, lit, Vec3f(dirToLight), color * visible);
+    const LightSample light = sampleLight(i, lit);
+    if (!light.isInFront) continue;
+    sum += reflected(ray, lit, light, visibility(hit, light));
   }
   return sum;
 }
 
-Vec3f RayTracer::visibility(const Hit& hit, const Vec3d& dirToLight, double distance) const {
+Hit RayTracer::litSide(const Ray& ray, const Hit& hit) const {
+  Hit lit = hit;
+  if (options_.shadeBack && dot(hit.getNormal(), ray.getDirection()) > 0) {
+    lit.set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
+  }
+  return lit;
+}
+
+RayTracer::LightSample RayTracer::sampleLight(int index, const Hit& lit) const {
+  LightSample light;
+  scene_->getLight(index)->getIllumination(lit.getIntersectionPoint(), light.direction, light.color,
+                                           light.distance);
+  light.isInFront = dot(lit.getNormal(), light.direction) > 0;
+  return light;
+}
+
+Vec3d RayTracer::reflected(const Ray& ray, const Hit& lit, const LightSample& light,
+                           const Vec3f& visible) const {
+  if (visible == Vec3f()) return Vec3d();
+  return lit.getMaterial()->Shade(ray, lit, Vec3f(light.direction), light.color * visible);
+}
+
+Vec3f RayTracer::visibility(const Hit& hit, const LightSample& light) const {
   if (!options_.shadows) return {1, 1, 1};
-  const Ray ray = leavingRay(hit, dirToLight);
-  const double epsilon = epsilonAt(hit);
-  if (options_.transparentShadows) return transmittance(*geometry_, ray, epsilon, distance);
-  return geometry_->occluded(ray, epsilon, distance) ? Vec3f() : Vec3f(1, 1, 1);
+  const ShadowQuery way = shadowQuery(hit, light);
+  if (options_.transparentShadows) return transmittance(*geometry_, way.ray, way.tmin, way.tmax);
+  return geometry_->occluded(way.ray, way.tmin, way.tmax) ? Vec3f() : Vec3f(1, 1, 1);
+}
+
+ShadowQuery RayTracer::shadowQuery(const Hit& hit, const LightSample& light) const {
+  return {leavingRay(hit, light.direction), epsilonAt(hit), light.distance};
 }
 
 Vec3d RayTracer::mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
