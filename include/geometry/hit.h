@@ -48,6 +48,17 @@ class Hit {
     const double largest = std::max({extent, maxAbs(ray.getOrigin()), maxAbs(point_)});
     magnitude_ = std::max(std::fabs(t_), largest / length(ray.getDirection()));
   }
+  /// Records a hit that has been computed elsewhere, exactly as set and setPrimitive would.
+  void restore(double t, const Material* material, const Vec3d& normal, const Vec3d& point,
+               const Object3D* object, std::uint32_t part, double magnitude) {
+    t_ = t;
+    material_ = material;
+    normal_ = normal;
+    point_ = point;
+    object_ = object;
+    part_ = part;
+    magnitude_ = magnitude;
+  }
   /// Restates the hit in the space of `ray`, where its unit normal is `normal`.
   void moveTo(const Ray& ray, const Vec3d& normal, double magnitude) {
     set(t_, material_, normal, ray);

@@ -8,6 +8,7 @@
 
 #include "accel/packet.h"
 #include "accel/traversal.h"
+#include "accel/triangle_hits.h"
 
 namespace accel {
 namespace avx2 {
@@ -20,7 +21,8 @@ const Kernels& avx2Kernels() {
                                   avx2::traverse<Purpose::any>,
                                   avx2::traverse<Purpose::all>,
                                   avx2::traversePacket<Purpose::nearest>,
-                                  avx2::traversePacket<Purpose::any>};
+                                  avx2::traversePacket<Purpose::any>,
+                                  avx2::computeHits};
   return kernels;
 }
 

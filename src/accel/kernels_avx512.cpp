@@ -8,6 +8,7 @@
 
 #include "accel/packet.h"
 #include "accel/traversal.h"
+#include "accel/triangle_hits.h"
 
 namespace accel {
 namespace avx512 {
@@ -20,7 +21,8 @@ const Kernels& avx512Kernels() {
                                   avx512::traverse<Purpose::any>,
                                   avx512::traverse<Purpose::all>,
                                   avx512::traversePacket<Purpose::nearest>,
-                                  avx512::traversePacket<Purpose::any>};
+                                  avx512::traversePacket<Purpose::any>,
+                                  avx512::computeHits};
   return kernels;
 }
 

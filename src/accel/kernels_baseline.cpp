@@ -7,6 +7,7 @@
 
 #include "accel/packet.h"
 #include "accel/traversal.h"
+#include "accel/triangle_hits.h"
 
 namespace accel {
 namespace baseline {
@@ -19,7 +20,8 @@ const Kernels& baselineKernels() {
                                   baseline::traverse<Purpose::any>,
                                   baseline::traverse<Purpose::all>,
                                   baseline::traversePacket<Purpose::nearest>,
-                                  baseline::traversePacket<Purpose::any>};
+                                  baseline::traversePacket<Purpose::any>,
+                                  baseline::computeHits};
   return kernels;
 }
 

@@ -1,10 +1,12 @@
 // Batches of rays in a mesh's tree: packets where the rays pass one point, single rays elsewhere.
 #include <cmath>
+#include <cstring>
 
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
 #include "accel/prepare_packet.h"
 #include "accel/space.h"
+#include "accel/triangle_hits.h"
 #include "geometry/triangle_test.h"
 
 namespace accel {
@@ -17,13 +19,17 @@ constexpr int kFewRays = 8;
 bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& beam) {
   beam.point = rays[0].getOrigin();
   beam.count = count;
+  bool together = true;
   for (int i = 0; i < count; ++i) {
-    if (rays[i].getOrigin() != beam.point) return false;
-    beam.directions[i] = rays[i].getDirection();
+    together &= rays[i].getOrigin() == beam.point;
+    const Vec3d& direction = rays[i].getDirection();
+    beam.direction[0][i] = direction.x();
+    beam.direction[1][i] = direction.y();
+    beam.direction[2][i] = direction.z();
     beam.tmin[i] = queries[i].tmin;
     beam.tmax[i] = queries[i].t;
   }
-  return true;
+  return together;
 }
 
 /// The beam of shadow rays that end in one point; false where they do not.
@@ -31,18 +37,26 @@ bool beamOfShadows(const ShadowQuery* queries, int count, Beam& beam) {
   const ShadowQuery& first = queries[0];
   beam.point = first.ray.pointAtParameter(first.tmax);
   beam.count = count;
+  bool together = true;
   for (int i = 0; i < count; ++i) {
     const ShadowQuery& query = queries[i];
-    const Vec3d& origin = query.ray.getOrigin();
     const Vec3d& direction = query.ray.getDirection();
-    const double largest = std::max(maxAbs(origin), query.tmax * maxAbs(direction));
+    const double largest = std::max(maxAbs(query.ray.getOrigin()), query.tmax * maxAbs(direction));
     const Vec3d end = query.ray.pointAtParameter(query.tmax);
-    if (!(maxAbs(end - beam.point) <= largest * 0x1p-48)) return false;
-    beam.directions[i] = direction;
+    together &= maxAbs(end - beam.point) <= largest * 0x1p-48;
+    beam.direction[0][i] = direction.x();
+    beam.direction[1][i] = direction.y();
+    beam.direction[2][i] = direction.z();
     beam.tmin[i] = query.tmin - query.tmax;
     beam.tmax[i] = 0;
   }
-  return true;
+  return together;
+}
+
+std::uint32_t wordOf(float bits) {
+  std::uint32_t word;
+  std::memcpy(&word, &bits, sizeof word);
+  return word;
 }
 
 /// Decides in double what a packet has found for one ray: a triangle that is proven to be hit,
@@ -85,7 +99,8 @@ class PacketAnswer {
       return !ray_.leaves(&mesh_, corners.face) &&
              triangle::intersect(corners.a, corners.b, corners.c, ray_, t) && use(corners, t);
     };
-    if (packet_.leafOf[i_] != 0 && decide(packet_.leafOf[i_], packet_.laneOf[i_])) return true;
+    const std::uint32_t leaf = wordOf(packet_.leafBits[i_]);
+    if (leaf != 0 && decide(leaf, wordOf(packet_.laneBits[i_]))) return true;
     for (int k = 0; k < packet_.doubtCount[i_]; ++k) {
       const RayPacket::Doubt& doubt = packet_.doubts[i_][k];
       if (doubt.tLow <= packet_.tmaxUp[i_] && decide(doubt.leaf, doubt.lane)) return true;
@@ -100,6 +115,67 @@ class PacketAnswer {
   const Ray& ray_;
 };
 
+/// The rays of a packet whose nearest triangle is proven, so that only the hit is to be computed.
+class ProvenHits {
+ public:
+  ProvenHits(const MeshTree& tree, const TriangleMesh& mesh, std::uint32_t order)
+      : tree_(tree), mesh_(mesh), order_(order) {}
+
+  void add(const RayPacket& packet, int i, const Ray& ray) {
+    const int place = hits_.count++;
+    const MeshTree::Triangle corners = tree_.triangleAt(packet.leaves + wordOf(packet.leafBits[i]),
+                                                        int(wordOf(packet.laneBits[i])));
+    rays_[place] = i;
+    faces_[place] = corners.face;
+    put(corners.a, hits_.corner, place);
+    put(corners.b, hits_.corner + 3, place);
+    put(corners.c, hits_.corner + 6, place);
+    put(ray.getOrigin(), hits_.origin, place);
+    put(ray.getDirection(), hits_.direction, place);
+  }
+
+  /// Computes and records all hits; bit i of the result stands for ray i.
+  std::uint64_t finish(const Kernels& kernels, NearestQuery* queries) {
+    fillUp();
+    kernels.computeHits(hits_);
+    std::uint64_t found = 0;
+    for (int k = 0; k < hits_.count; ++k) {
+      NearestQuery& query = queries[rays_[k]];
+      query.t = hits_.t[k];
+      query.order = order_;
+      query.part = faces_[k];
+      query.hit->restore(query.t, mesh_.getMaterial(), take(hits_.normal, k), take(hits_.point, k),
+                         &mesh_, query.part, hits_.magnitude[k]);
+      found |= std::uint64_t(1) << rays_[k];
+    }
+    return found;
+  }
+
+ private:
+  using Row = double[TriangleHits::kMost];
+  static void put(const Vec3d& v, Row* rows, int place) {
+    for (int axis = 0; axis < 3; ++axis) rows[axis][place] = v[axis];
+  }
+  static Vec3d take(const Row* rows, int place) {
+    return {rows[0][place], rows[1][place], rows[2][place]};
+  }
+  /// The kernels take eight at a time: repeats the first up to there.
+  void fillUp() {
+    for (int k = hits_.count; hits_.count > 0 && k % 8 != 0; ++k) {
+      for (auto& row : hits_.corner) row[k] = row[0];
+      for (auto& row : hits_.origin) row[k] = row[0];
+      for (auto& row : hits_.direction) row[k] = row[0];
+    }
+  }
+
+  const MeshTree& tree_;
+  const TriangleMesh& mesh_;
+  const std::uint32_t order_;
+  int rays_[TriangleHits::kMost];
+  std::uint32_t faces_[TriangleHits::kMost];
+  TriangleHits hits_;
+};
+
 }  // namespace
 
 std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
@@ -111,17 +187,20 @@ std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const 
                         beamOfRays(rays, count, queries, beam) &&
                         preparePacket(tree.bvh(), beam, packet);
   if (together) kernels.nearestOfPacket(packet);
+  ProvenHits proven(tree, mesh, order);
   std::uint64_t found = 0;
   for (int i = 0; i < count; ++i) {
-    bool hit;
+    bool hit = false;
     if (!together || (packet.open >> i & 1) != 0) {
       hit = nearestInMesh(kernels, tree, mesh, order, rays[i], queries[i]);
-    } else {
-      hit = (packet.leafOf[i] != 0 || packet.doubtCount[i] != 0) &&
-            PacketAnswer(tree, mesh, packet, i, rays[i]).nearest(order, queries[i]);
+    } else if (packet.doubtCount[i] != 0) {
+      hit = PacketAnswer(tree, mesh, packet, i, rays[i]).nearest(order, queries[i]);
+    } else if (packet.leafBits[i] != 0) {
+      proven.add(packet, i, rays[i]);
     }
     found |= std::uint64_t(hit) << i;
   }
+  found |= proven.finish(kernels, queries);
   return found;
 }
 

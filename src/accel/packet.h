@@ -22,7 +22,7 @@ struct alignas(64) RayPacket {
 
   const WideNode* nodes;
   const std::uint32_t* leaves;
-  int count;  ///< of rays; up to a multiple of 16 the others want nothing
+  int count;                          ///< of rays; up to a multiple of 16 the others want nothing
   float originHigh[3], originLow[3];  ///< the common point, as the sum of two floats
   float nearOrigin[3], farOrigin[3];  ///< the same, moved so that boxes are widened
   int nearRow[3];                     ///< which of WideNode::planes is near, for every ray
@@ -34,9 +34,9 @@ struct alignas(64) RayPacket {
 
   std::uint64_t open;     ///< rays that the packet could not answer
   std::uint64_t blocked;  ///< rays proven to be blocked (any)
-  std::uint32_t
-      leafOf[kMostRays];  ///< offset of the leaf that holds the nearest proven hit, 0: none
-  std::uint8_t laneOf[kMostRays];  ///< its place in the leaf
+  /// The nearest proven hit: the offset of its leaf (0: none) and its place there. The bits of
+  /// whole numbers, kept as floats because the kernels move them along with floats.
+  float leafBits[kMostRays], laneBits[kMostRays];
 
   /// Triangles that the filter left open for a ray; more than this and the ray is open itself.
   static constexpr int kMostDoubts = 3;

@@ -13,32 +13,58 @@ constexpr double kRounding = 0x1p-24;
 /// Seen from further away, in sizes of the tree, too many rays would stay open.
 constexpr double kFarthest = 64;
 
-float below(double t) {
-  return t < -double(std::numeric_limits<float>::max())  ? -kInf
-         : t > double(std::numeric_limits<float>::max()) ? std::numeric_limits<float>::max()
-                                                         : float(t - std::fabs(t) * 2 * kRounding);
+/// A float surely not above t.
+inline float below(double t) {
+  constexpr double kMost = double(std::numeric_limits<float>::max());
+  const double limited = t < kMost ? t : kMost;
+  return float(limited - std::fabs(limited) * (2 * kRounding));
 }
 
-float above(double t) { return -below(-t); }
+inline float above(double t) { return -below(-t); }
 
-/// Sets the directions, scaled by `scale`; false where they differ in octant.
-bool setDirections(const Beam& beam, double scale, RayPacket& packet) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool negative = beam.directions[0][axis] < 0;
-    float least = kInf, most = -kInf;
-    for (int i = 0; i < beam.count; ++i) {
-      const double component = beam.directions[i][axis] * scale;
-      if (!(std::fabs(component) > 0x1p-40) || (component < 0) != negative) return false;
-      packet.direction[axis][i] = float(component);
-      packet.reciprocal[axis][i] = 1 / packet.direction[axis][i];
-      least = std::min(least, packet.reciprocal[axis][i]);
-      most = std::max(most, packet.reciprocal[axis][i]);
+struct Extremes {
+  float least = kInf, most = -kInf;
+
+  Extremes(const float* values, int count) {
+    for (int i = 0; i < count; ++i) {
+      least = values[i] < least ? values[i] : least;
+      most = values[i] > most ? values[i] : most;
     }
-    packet.leastReciprocal[axis] = least;
-    packet.mostReciprocal[axis] = most;
-    packet.nearRow[axis] = 2 * axis + (negative ? 1 : 0);
+  }
+};
+
+/// Sets the directions, scaled by `scale`, and stores their largest component in `steepest`; false
+/// where they differ in octant.
+bool setDirections(const Beam& beam, double scale, RayPacket& packet, float& steepest) {
+  steepest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    float* direction = packet.direction[axis];
+    for (int i = 0; i < beam.count; ++i) direction[i] = float(beam.direction[axis][i] * scale);
+    for (int i = 0; i < beam.count; ++i) packet.reciprocal[axis][i] = 1 / direction[i];
+    const Extremes range(direction, beam.count);
+    if (!(range.least > 0x1p-40f || range.most < -0x1p-40f)) return false;
+    const Extremes reciprocals(packet.reciprocal[axis], beam.count);
+    packet.leastReciprocal[axis] = reciprocals.least;
+    packet.mostReciprocal[axis] = reciprocals.most;
+    packet.nearRow[axis] = 2 * axis + (range.most < 0 ? 1 : 0);
+    steepest = std::max({steepest, range.most, -range.least});
   }
   return true;
+}
+
+void setBounds(const Beam& beam, double timeScale, RayPacket& packet) {
+  for (int i = 0; i < beam.count; ++i) {
+    packet.tminDown[i] = below(beam.tmin[i] * timeScale);
+    packet.tminUp[i] = above(beam.tmin[i] * timeScale);
+  }
+  for (int i = 0; i < beam.count; ++i) {
+    packet.tmaxDown[i] = below(beam.tmax[i] * timeScale);
+    packet.tmaxUp[i] = above(beam.tmax[i] * timeScale);
+  }
+  for (int i = 0; i < beam.count; ++i) {
+    packet.leafBits[i] = 0;
+    packet.doubtCount[i] = 0;
+  }
 }
 
 /// Fills up to a multiple of the widest instruction with rays that want nothing.
@@ -51,45 +77,47 @@ void fillUp(RayPacket& packet, int count) {
     }
     packet.tminDown[i] = packet.tminUp[i] = kInf;
     packet.tmaxDown[i] = packet.tmaxUp[i] = -kInf;
+    packet.leafBits[i] = packet.laneBits[i] = 0;
   }
 }
 
-}  // namespace
-
-bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
-  const Vec3d point = (beam.point - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;
-  const double largest = maxAbs(beam.directions[0]) * bvh.scale;
-  if (!(largest >= 0x1p-500 && largest <= 0x1p500)) return false;
-  const double timeScale = std::ldexp(1.0, std::ilogb(largest));
-  if (!setDirections(beam, bvh.scale / timeScale, packet)) return false;
-
-  double reach = maxAbs(point) * 0x1p-28;
+/// Sets the common point, from where the tree lies within `reach`.
+void setPoint(const Vec3d& point, double reach, RayPacket& packet) {
+  const double pad = 8 * kRounding * (reach + 1);
   for (int axis = 0; axis < 3; ++axis) {
-    reach = std::max(
-        {reach, std::fabs(bvh.low[axis] - point[axis]), std::fabs(bvh.high[axis] - point[axis])});
-  }
-  if (!(reach < kFarthest)) return false;
-  reach = (reach + maxAbs(point) * 0x1p-28) * (1 + 8 * kRounding);
-  float steepest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < beam.count; ++i) {
-      steepest = std::max(steepest, std::fabs(packet.direction[axis][i]));
-    }
-    const double pad = 8 * kRounding * (reach + 1);
     const double widened = packet.direction[axis][0] < 0 ? -pad : pad;
     packet.originHigh[axis] = float(point[axis]);
     packet.originLow[axis] = float(point[axis] - double(packet.originHigh[axis]));
     packet.nearOrigin[axis] = float(point[axis] + widened);
     packet.farOrigin[axis] = float(point[axis] - widened);
   }
-  for (int i = 0; i < beam.count; ++i) {
-    packet.tminDown[i] = below(beam.tmin[i] * timeScale);
-    packet.tminUp[i] = above(beam.tmin[i] * timeScale);
-    packet.tmaxDown[i] = below(beam.tmax[i] * timeScale);
-    packet.tmaxUp[i] = above(beam.tmax[i] * timeScale);
-    packet.leafOf[i] = 0;
-    packet.doubtCount[i] = 0;
+}
+
+}  // namespace
+
+bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
+  const Vec3d point =
+      (beam.point - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;
+  double reach = maxAbs(point) * 0x1p-28;
+  for (int axis = 0; axis < 3; ++axis) {
+    reach = std::max({reach, std::fabs(bvh.low[axis] - point[axis]),
+                      std::fabs(bvh.high[axis] - point[axis])});
   }
+  if (!(reach < kFarthest)) return false;
+  reach = (reach + maxAbs(point) * 0x1p-28) * (1 + 8 * kRounding);
+
+  double largest = 0;
+  for (const auto& component : beam.direction) {
+    largest = std::max(largest, std::fabs(component[0]) * bvh.scale);
+  }
+  if (!(largest >= 0x1p-500 && largest <= 0x1p500)) return false;
+  const double timeScale = std::ldexp(1.0, std::ilogb(largest));
+  float steepest;
+  if (!setDirections(beam, bvh.scale / timeScale, packet, steepest)) return false;
+
+  setPoint(point, reach, packet);
+  setBounds(beam, timeScale, packet);
+  fillUp(packet, beam.count);
   packet.nodes = bvh.root();
   packet.leaves = bvh.words();
   packet.reach = float(reach);
@@ -97,7 +125,6 @@ bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
   packet.determinantError = float(48 * kRounding) * steepest;
   packet.numeratorError = float(64 * kRounding * reach);
   packet.open = packet.blocked = 0;
-  fillUp(packet, beam.count);
   return true;
 }
 

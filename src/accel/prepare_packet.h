@@ -5,12 +5,13 @@
 
 namespace accel {
 
-/// A beam: `count` lines through `point`, line i along directions[i], of which the part from
-/// tmin[i] to tmax[i] counts, measured from the point in lengths of the direction.
+/// A beam: `count` lines through `point`, line i along the i-th direction, of which the part from
+/// tmin[i] to tmax[i] counts, measured from the point in lengths of the direction. Each component
+/// stands in an array of its own, so that the compiler can take several rays at once.
 struct Beam {
   Vec3d point;
   int count;
-  Vec3d directions[RayPacket::kMostRays];
+  double direction[3][RayPacket::kMostRays];
   double tmin[RayPacket::kMostRays], tmax[RayPacket::kMostRays];
 };
 

@@ -34,6 +34,7 @@ struct Candidate {
 };
 
 struct RayPacket;
+struct TriangleHits;
 
 struct TraversalRay {
   static constexpr int kMostCandidates = 16;
@@ -81,6 +82,7 @@ struct Kernels {
   /// Find the nearest hits of a packet, or which of its rays are blocked.
   void (*nearestOfPacket)(RayPacket& packet);
   void (*anyOfPacket)(RayPacket& packet);
+  void (*computeHits)(TriangleHits& hits);
 };
 
 const Kernels& baselineKernels();
