@@ -14,8 +14,8 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 
 /// A direction's component for the box test: not so small that its reciprocal could overflow. A
 /// ray turned by this little stays well within the widening of the boxes.
-double divisible(double component) {
-  constexpr double kLeast = 0x1p-60;
+float divisible(float component) {
+  constexpr float kLeast = 0x1p-60f;
   return std::fabs(component) >= kLeast ? component : std::copysign(kLeast, component);
 }
 
@@ -29,16 +29,50 @@ double powerOfTwoBelow(double x) {
   return x;
 }
 
-/// Sets the part of `r` that the box test uses, boxes widened by `pad` on every side.
-void setBoxTest(TraversalRay& r, const Vec3d& origin, const Vec3d& inverse, double pad) {
+/// 1 / x for a power of two, without a division.
+double inverseOfPower(double x) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits = (std::uint64_t(2046) << 52) - bits;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
+/// Sets the part of `r` that the box test uses, boxes widened by `pad` on every side. In float:
+/// `pad` covers its rounding too.
+void setBoxTest(TraversalRay& r, float pad) {
+  for (int axis = 0; axis < 3; ++axis) r.reciprocal[axis] = 1 / divisible(r.direction[axis]);
   for (int axis = 0; axis < 3; ++axis) {
-    const bool negative = inverse[axis] < 0;
-    const double widened = negative ? -pad : pad;
-    r.reciprocal[axis] = float(inverse[axis]);
+    const bool negative = r.reciprocal[axis] < 0;
+    const float widened = negative ? -pad : pad;
     r.nearRow[axis] = 2 * axis + (negative ? 1 : 0);
-    r.nearOffset[axis] = float(-(origin[axis] + widened) * inverse[axis]);
-    r.farOffset[axis] = float(-(origin[axis] - widened) * inverse[axis]);
+    r.nearOffset[axis] = -(r.originHigh[axis] + widened) * r.reciprocal[axis];
+    r.farOffset[axis] = -(r.originHigh[axis] - widened) * r.reciprocal[axis];
   }
+}
+
+/// Where the ray enters and leaves the tree's box, widened by `margin`.
+struct Passage {
+  double enter = -std::numeric_limits<double>::infinity();
+  double leave = std::numeric_limits<double>::infinity();
+
+  Passage(const WideBvh& bvh, const Vec3d& start, const Vec3d& direction, double margin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      constexpr double kLeast = 0x1p-60;
+      const double component = std::fabs(direction[axis]) >= kLeast
+                                   ? direction[axis]
+                                   : std::copysign(kLeast, direction[axis]);
+      const double a = (bvh.low[axis] - margin - start[axis]) / component;
+      const double b = (bvh.high[axis] + margin - start[axis]) / component;
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+  }
+};
+
+bool contains(const WideBvh& bvh, const Vec3d& p) {
+  return p.x() >= bvh.low[0] && p.x() <= bvh.high[0] && p.y() >= bvh.low[1] &&
+         p.y() <= bvh.high[1] && p.z() >= bvh.low[2] && p.z() <= bvh.high[2];
 }
 
 }  // namespace
@@ -63,23 +97,23 @@ bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax, Tr
   const double largest = maxAbs(direction);
   if (!(largest >= 0x1p-1000 && largest <= 0x1p1000)) return false;
   time.scale = powerOfTwoBelow(largest);
-  direction *= 1 / time.scale;
+  direction *= inverseOfPower(time.scale);
 
-  // Where the ray enters and leaves the box of the tree, widened well beyond all rounding.
+  // A ray that starts outside is moved to where it enters the box: numbers stay small.
   const double far = maxAbs(start);
-  const double margin = 0x1p-18 + far * 0x1p-44;
-  const Vec3d inverse(1 / divisible(direction.x()), 1 / divisible(direction.y()),
-                      1 / divisible(direction.z()));
-  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (bvh.low[axis] - margin - start[axis]) * inverse[axis];
-    const double b = (bvh.high[axis] + margin - start[axis]) * inverse[axis];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
+  time.shift = 0;
+  Vec3d origin = start;
+  if (tmin < 0 || !contains(bvh, start)) {
+    const Passage passage(bvh, start, direction, 0x1p-18 + far * 0x1p-44);
+    if (!(passage.enter <= passage.leave && passage.leave >= tmin * time.scale &&
+          passage.enter <= tmax * time.scale)) {
+      return false;
+    }
+    if (passage.enter > 0 || tmin < 0) {
+      time.shift = passage.enter;
+      origin = start + direction * time.shift;
+    }
   }
-  if (!(enter <= leave && leave >= tmin * time.scale && enter <= tmax * time.scale)) return false;
-  time.shift = enter > 0 || tmin < 0 ? enter : 0;
-  const Vec3d origin = start + direction * time.shift;
 
   double reach = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -90,14 +124,14 @@ bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax, Tr
     r.direction[axis] = float(direction[axis]);
   }
   reach = (reach + far * 0x1p-28) * (1 + 8 * kRounding);
-  setBoxTest(r, origin, inverse, 8 * kRounding * (reach + 1));
+  setBoxTest(r, float(24 * kRounding * (reach + 1)));
   r.nodes = bvh.root();
   r.leaves = bvh.words();
   r.reach = float(reach);
   r.edgeError = float(64 * kRounding * reach * maxAbs(direction));
   r.determinantError = float(48 * kRounding * maxAbs(direction));
   r.numeratorError = float(64 * kRounding * reach);
-  r.inverseLengthSquared = float(1 / dot(direction, direction));
+  r.inverseLengthSquared = 1 / float(dot(direction, direction));
   r.tminDown = std::max(time.below(tmin), 0.0f);
   r.tminUp = std::max(time.above(tmin), 0.0f);
   r.tmaxDown = time.below(tmax);
