@@ -2,7 +2,6 @@
 #include "cli/option_values.h"
 
 #include "scene/number_reader.h"
-#include "scene/wording.h"
 
 namespace {
 
@@ -29,6 +28,13 @@ double depthNumber(const GivenOption& given, const char* what, const std::string
 }
 
 }  // namespace
+
+void failChoice(const GivenOption& given, WordList choices) {
+  const std::string nearest(nearestWord(given.words[0], choices));
+  throw UsageError("-" + given.name + ": expected " + listed(choices) + ", found " +
+                   ::quoted(given.words[0]) +
+                   (nearest.empty() ? "" : "; did you mean " + ::quoted(nearest) + "?"));
+}
 
 int wholeNumber(const GivenOption& given, std::size_t index, const char* what, int least,
                 int most) {

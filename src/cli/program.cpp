@@ -36,7 +36,9 @@ int print(const std::string& text) {
 }
 
 int checkScene(const Options& options) {
-  const std::vector<InputError> mistakes = SceneParser::check(options.input.c_str());
+  const std::vector<InputError> mistakes =
+      withMemory("to read " + displayName(options.input),
+                 [&] { return SceneParser::check(options.input.c_str()); });
   for (const InputError& mistake : mistakes) complain(mistake.what());
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
@@ -67,9 +69,11 @@ void renderAll(const SceneParser& scene, const Options& options, std::vector<Out
 int renderScene(const Options& options) {
   SceneParser scene = withMemory("to read " + displayName(options.input),
                                  [&] { return SceneParser(options.input.c_str()); });
+  checkFiles(options, scene.getMeshFiles());
   if (!options.quiet)
     for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
-  if (options.render.transparentShadows) scene.findClosedMeshes();
+  if (options.render.transparentShadows)
+    withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
 
   std::vector<Output> outputs = wantedOutputs(options);
   const std::size_t wanted = outputs.size();

@@ -2,6 +2,7 @@
 #include "system/worker_threads.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,8 +58,11 @@ class StackSize {
 }  // namespace
 
 int hardwareThreads() {
-  const long count = sysconf(_SC_NPROCESSORS_ONLN);
-  return int(std::max(1L, count));
+  cpu_set_t allowed;  // fewer than the machine has, under taskset or in a container
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+    return std::max(1, CPU_COUNT(&allowed));
+  }
+  return int(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));  // more cores than a cpu_set_t holds
 }
 
 void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work) {

@@ -106,6 +106,19 @@ TEST("text that cannot be printed is a failed output") {
   checkFailure(desk.run("-check -input scene.txt >/dev/full"), 1, "standard output");
 }
 
+TEST("an output must not be a mesh of the scene") {
+  const Desk desk;
+  const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  desk.write("a mesh.obj", mesh);
+  std::filesystem::create_symlink("a mesh.obj", desk.file("link.obj"));
+  desk.write("mesh.txt", check::smallScene() +
+                             "Group { numObjects 1 TriangleMesh { obj_file link.obj } }\n");
+  for (const char* output : {"-output 'a mesh.obj'", "-depth 1 2 link.obj", "-normals link.obj"}) {
+    checkFailure(desk.run(std::string("-input mesh.txt ") + output), 2, "one of its meshes");
+  }
+  CHECK_EQUAL(check::contentOf(desk.file("a mesh.obj")), mesh);
+}
+
 TEST("wrong usage gives status 2 and leaves the old image alone") {
   const Desk desk;
   desk.write("out.tga", "old");
