@@ -14,6 +14,10 @@
 
 namespace {
 
+/// Enough to read the deepest scene (measured: below 1 MB, 4 MB with sanitizers), whatever limit
+/// the user's shell sets for the first thread.
+constexpr std::size_t kRunStack = 16 << 20;
+
 /// Returns work(); where memory runs out, throws an error that says what it was needed for.
 template <class Work>
 auto withMemory(const std::string& purpose, const Work& work) {
@@ -87,15 +91,21 @@ int renderScene(const Options& options) {
   return written == wanted ? kDone : kOutputFailed;
 }
 
-}  // namespace
-
-int runProgram(const Options& options) {
+int runHere(const Options& options) {
   if (options.shortHelp) return print(shortHelp());
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
   if (options.check) return checkScene(options);
   checkFiles(options);
   return renderScene(options);
+}
+
+}  // namespace
+
+int runProgram(const Options& options) {
+  int status = kDone;
+  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
+  return status;
 }
 
 void complain(const std::string& message) {

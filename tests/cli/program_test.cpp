@@ -239,6 +239,21 @@ TEST("a signal ends a run and leaves the old image and no litter") {
   }
 }
 
+TEST("scenes nested to the limit are read and shown whatever the shell's limit for the stack") {
+  const Desk desk;
+  std::string scene = check::smallScene();
+  const std::size_t sphere = scene.find("Sphere"), end = scene.find('}', sphere) + 1;
+  scene.insert(end, std::string(999, '}'));
+  for (int i = 0; i < 999; ++i) scene.insert(sphere, "Transform { ");
+  desk.write("deep.txt", scene);
+  CHECK_EQUAL(desk.run("-input deep.txt -output a", "ulimit -s 128;").status, 0);
+  CHECK_EQUAL(desk.run("-input deep.txt -output b -accel tree", "ulimit -s 128;").status, 0);
+  CHECK_EQUAL(desk.run("-input deep.txt -check", "ulimit -s 128;").status, 0);
+  CHECK_EQUAL(desk.run("-input scene.txt -output c").status, 0);
+  CHECK(check::contentOf(desk.file("a")) == check::contentOf(desk.file("c")));
+  CHECK(check::contentOf(desk.file("b")) == check::contentOf(desk.file("c")));
+}
+
 TEST("an image that memory cannot hold gives status 1 and says what it was for") {
   const Desk desk;
   const std::string limit = "ulimit -v 1000000;";
