@@ -16,7 +16,7 @@ namespace {
 
 /// Enough to read the deepest scene (measured: below 1 MB, 4 MB with sanitizers), whatever limit
 /// the user's shell sets for the first thread.
-constexpr std::size_t kRunStack = 16 << 20;
+constexpr std::size_t kRunStack = 8 << 20;
 
 /// Returns work(); where memory runs out, throws an error that says what it was needed for.
 template <class Work>

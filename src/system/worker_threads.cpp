@@ -9,6 +9,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -77,6 +78,9 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
     if (error == 0) started.push_back(thread);
   }
   for (const pthread_t thread : started) pthread_join(thread, nullptr);
-  if (started.empty()) throw std::system_error(error, std::generic_category(), "no thread");
+  if (started.empty()) {
+    const std::string stack = std::to_string(stackBytes >> 20) + " MB of stack";
+    throw std::system_error(error, std::generic_category(), "cannot start a thread with " + stack);
+  }
   if (shared.failure) std::rethrow_exception(shared.failure);
 }
