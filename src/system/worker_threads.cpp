@@ -79,8 +79,8 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
   }
   for (const pthread_t thread : started) pthread_join(thread, nullptr);
   if (started.empty()) {
-    const std::string stack = std::to_string(stackBytes >> 20) + " MB of stack";
-    throw std::system_error(error, std::generic_category(), "cannot start a thread with " + stack);
+    const std::string room = std::to_string(stackBytes >> 20) + " MB of stack";
+    throw std::system_error(error, std::generic_category(), "cannot start a thread with " + room);
   }
   if (shared.failure) std::rethrow_exception(shared.failure);
 }
