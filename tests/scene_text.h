@@ -21,6 +21,12 @@ inline std::string write(const std::string& text, const std::string& ending) {
   return path;
 }
 
+/// The words of a scene that show the mesh that write() has written to `path`. Looked up beside the
+/// scene: the whole path may hold white space.
+inline std::string mesh(const std::string& path) {
+  return " TriangleMesh { obj_file " + path.substr(path.rfind('/') + 1) + " } ";
+}
+
 /// Reads a scene of `text` with a camera put before it.
 inline SceneParser parse(const std::string& text) {
   struct File {

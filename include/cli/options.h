@@ -48,6 +48,6 @@ struct Options {
 /// with it; that no two files are the same is left to checkFiles.
 Options parseOptions(const std::vector<std::string>& words);
 
-/// Throws UsageError where two outputs name the same file, or an output is the scene. Links are
-/// followed; a device such as /dev/null may be named more than once.
-void checkFiles(const Options& options);
+/// Throws UsageError where two outputs name the same file, or an output is the scene or one of
+/// `meshFiles`. Links are followed; a device such as /dev/null may be named more than once.
+void checkFiles(const Options& options, const std::vector<std::string>& meshFiles = {});

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <string>
 
-/// An output that cannot be written. what() is "PATH: reason".
+/// An output that cannot be written. what() is "PATH: cannot be written: reason".
 class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& path, const std::string& reason)
-      : std::runtime_error(path + ": " + reason) {}
+      : std::runtime_error(path + ": cannot be written: " + reason) {}
 };
 
 class OutputFile {

@@ -10,7 +10,7 @@
 /// descriptor 0x20, then BGR bytes, top row first; no ID, no footer. Sides are 1..65535 pixels.
 Bytes encodeTga(const Image& image);
 
-/// Writes encodeTga(image) by OutputFile. Throws OutputError.
+/// Writes what encodeTga gives by OutputFile, piece by piece. Throws OutputError.
 void writeTga(const Image& image, const std::string& path);
 
 /// Reads types 1, 2, 3, 9, 10 and 11 (colour map, true colour, grey; the latter three run-length

@@ -38,6 +38,9 @@ class SceneParser {
   /// All objects of the scene: one Group that holds the file's top-level Groups in order.
   const Group* getGroup() const { return &group_; }
 
+  /// The mesh files that were read, as absolute paths without links, in alphabetical order.
+  const std::vector<std::string>& getMeshFiles() const { return meshFiles_; }
+
   /// What is legal but probably a mistake: "FILE:LINE: text" each, in file order.
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
@@ -60,5 +63,6 @@ class SceneParser {
   std::vector<std::unique_ptr<Object3D>> objects_;
   std::vector<std::unique_ptr<MeshGeometry>> meshes_;
   Group group_;
+  std::vector<std::string> meshFiles_;
   std::vector<std::string> warnings_;
 };

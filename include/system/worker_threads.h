@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <functional>
 
-/// How many threads the machine runs at once; at least 1.
+/// How many threads this process may run at once: the cores that it is allowed to use, at least
+/// 1.
 int hardwareThreads();
 
 /// Calls work(0) .. work(threads - 1), each on a thread of its own with at least `stackBytes` of

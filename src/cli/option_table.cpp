@@ -7,9 +7,10 @@
 namespace {
 
 void setAccel(const GivenOption& given, Options& options) {
-  if (given.words[0] != "fast" && given.words[0] != "tree")
-    throw UsageError("-accel: expected fast or tree, found " + ::quoted(given.words[0]));
-  options.accel = given.words[0] == "fast" ? Options::Accel::fast : Options::Accel::tree;
+  static constexpr std::string_view kNames[] = {"fast", "tree"};
+  const std::string& word = given.words[0];
+  if (!WordList(kNames).contains(word)) failChoice(given, kNames);
+  options.accel = word == "fast" ? Options::Accel::fast : Options::Accel::tree;
 }
 
 void setEpsilon(const GivenOption& given, Options& options) {

@@ -2,7 +2,6 @@
 #include "cli/option_values.h"
 
 #include "scene/number_reader.h"
-#include "scene/wording.h"
 
 namespace {
 
@@ -21,14 +20,27 @@ std::string writableName(const GivenOption& given, const std::string& word) {
   return fileName(given, word);
 }
 
+/// What is wrong with a word that should have been a number of at least 0.
+std::string atLeastZero(const std::string& word) {
+  const bool isTooLarge = isNumber(word) && word[0] != '-';
+  return isTooLarge ? "a number of at least 0 and within range" : "a number of at least 0";
+}
+
 double depthNumber(const GivenOption& given, const char* what, const std::string& word) {
   double value = 0;
   if (!readDouble(word, value))
-    fail(given, std::string("a number for ") + what + " (MIN MAX FILE, or FILE MIN MAX)", word);
+    fail(given, std::string(isNumber(word) ? "a number within range for " : "a number for ") + what + " (MIN MAX FILE, or FILE MIN MAX)", word);
   return value;
 }
 
 }  // namespace
+
+void failChoice(const GivenOption& given, WordList choices) {
+  const std::string nearest(nearestWord(given.words[0], choices));
+  throw UsageError("-" + given.name + ": expected " + listed(choices) + ", found " +
+                   ::quoted(given.words[0]) +
+                   (nearest.empty() ? "" : "; did you mean " + ::quoted(nearest) + "?"));
+}
 
 int wholeNumber(const GivenOption& given, std::size_t index, const char* what, int least,
                 int most) {
@@ -45,14 +57,14 @@ int wholeNumber(const GivenOption& given, std::size_t index, const char* what, i
 double positiveNumber(const GivenOption& given, const char* alternatives) {
   double value = 0;
   if (!readDouble(given.words[0], value) || value < 0)
-    fail(given, std::string("a number of at least 0") + alternatives, given.words[0]);
+    fail(given, atLeastZero(given.words[0]) + alternatives, given.words[0]);
   return value;
 }
 
 float positiveFloat(const GivenOption& given) {
   float value = 0;
   if (!readFloat(given.words[0], value) || value < 0)
-    fail(given, "a number of at least 0", given.words[0]);
+    fail(given, atLeastZero(given.words[0]), given.words[0]);
   return value;
 }
 

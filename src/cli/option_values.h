@@ -4,6 +4,10 @@
 #include <string>
 
 #include "cli/option_table.h"
+#include "scene/wording.h"
+
+/// The first word is none of the `choices`: says so, and which one was probably meant.
+[[noreturn]] void failChoice(const GivenOption& given, WordList choices);
 
 /// A whole number from `least` to `most`, in word `index`; `what` names it in the message.
 int wholeNumber(const GivenOption& given, std::size_t index, const char* what, int least, int most);

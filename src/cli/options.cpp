@@ -1,15 +1,12 @@
 // Reading the command line.
 #include "cli/options.h"
 
-#include <filesystem>
 #include <string_view>
 
 #include "cli/option_table.h"
 #include "scene/wording.h"
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The name in "-name" or "--name"; "" where `word` is not of that form.
 std::string nameOf(const std::string& word) {
@@ -57,24 +54,6 @@ void checkComplete(const Options& options) {
         "-check");
 }
 
-/// Where a file of this name is or would be created, links followed.
-fs::path placeOf(const std::string& name) {
-  constexpr int kMostLinks = 40;  // as Linux allows
-  std::error_code error;
-  fs::path place = fs::absolute(name, error);
-  for (int i = 0; i < kMostLinks && fs::is_symlink(place, error) && !fs::exists(place, error); ++i)
-    place = place.parent_path() / fs::read_symlink(place, error);
-  const fs::path canonical = fs::weakly_canonical(place, error);
-  return error ? place : canonical;
-}
-
-/// True when both names lead to the same place, whether or not there is a file yet.
-bool sameFile(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (fs::is_character_file(a, error)) return false;
-  return (fs::equivalent(a, b, error) && !error) || placeOf(a) == placeOf(b);
-}
-
 }  // namespace
 
 Options parseOptions(const std::vector<std::string>& words) {
@@ -90,23 +69,4 @@ Options parseOptions(const std::vector<std::string>& words) {
   }
   checkComplete(options);
   return options;
-}
-
-void checkFiles(const Options& options) {
-  struct Named {
-    const char* argument;
-    const std::string& file;
-  };
-  const Named files[] = {{"-input", options.input},
-                         {"-output", options.output},
-                         {"-depth", options.depthOutput},
-                         {"-normals", options.normalsOutput}};
-  for (const Named& a : files) {
-    for (const Named& b : files) {
-      if (&a >= &b || a.file.empty() || b.file.empty() || a.file == "-") continue;
-      if (sameFile(a.file, b.file))
-        throw UsageError(std::string(a.argument) + " and " + b.argument +
-                         ": expected different files, found '" + a.file + "' and '" + b.file + "'");
-    }
-  }
 }

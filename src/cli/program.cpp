@@ -14,6 +14,10 @@
 
 namespace {
 
+/// Enough to read the deepest scene (measured: below 1 MB, 4 MB with sanitizers), whatever limit
+/// the user's shell sets for the first thread.
+constexpr std::size_t kRunStack = 8 << 20;
+
 /// Returns work(); where memory runs out, throws an error that says what it was needed for.
 template <class Work>
 auto withMemory(const std::string& purpose, const Work& work) {
@@ -36,7 +40,9 @@ int print(const std::string& text) {
 }
 
 int checkScene(const Options& options) {
-  const std::vector<InputError> mistakes = SceneParser::check(options.input.c_str());
+  const std::vector<InputError> mistakes =
+      withMemory("to read " + displayName(options.input),
+                 [&] { return SceneParser::check(options.input.c_str()); });
   for (const InputError& mistake : mistakes) complain(mistake.what());
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
@@ -67,9 +73,11 @@ void renderAll(const SceneParser& scene, const Options& options, std::vector<Out
 int renderScene(const Options& options) {
   SceneParser scene = withMemory("to read " + displayName(options.input),
                                  [&] { return SceneParser(options.input.c_str()); });
+  checkFiles(options, scene.getMeshFiles());
   if (!options.quiet)
     for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
-  if (options.render.transparentShadows) scene.findClosedMeshes();
+  if (options.render.transparentShadows)
+    withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
 
   std::vector<Output> outputs = wantedOutputs(options);
   const std::size_t wanted = outputs.size();
@@ -83,15 +91,21 @@ int renderScene(const Options& options) {
   return written == wanted ? kDone : kOutputFailed;
 }
 
-}  // namespace
-
-int runProgram(const Options& options) {
+int runHere(const Options& options) {
   if (options.shortHelp) return print(shortHelp());
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
   if (options.check) return checkScene(options);
   checkFiles(options);
   return renderScene(options);
+}
+
+}  // namespace
+
+int runProgram(const Options& options) {
+  int status = kDone;
+  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
+  return status;
 }
 
 void complain(const std::string& message) {

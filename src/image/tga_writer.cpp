@@ -6,10 +6,12 @@
 #include "image/tga.h"
 
 namespace {
-constexpr int kLongestSide = 65535;  // 16 bits in the header
-}
 
-Bytes encodeTga(const Image& image) {
+constexpr int kLongestSide = 65535;  // 16 bits in the header
+/// Rows are written in pieces of at least so many bytes, so that a picture stands in memory once.
+constexpr std::size_t kPiece = 65536;
+
+Bytes headerOf(const Image& image) {
   const auto width = static_cast<unsigned>(image.Width());
   const auto height = static_cast<unsigned>(image.Height());
   assert(width >= 1 && width <= kLongestSide && height >= 1 && height <= kLongestSide);
@@ -21,13 +23,21 @@ Bytes encodeTga(const Image& image) {
   bytes[15] = static_cast<std::uint8_t>(height >> 8);
   bytes[16] = 24;
   bytes[17] = 0x20;  // the top row comes first
-  bytes.reserve(18 + std::size_t{3} * width * height);
-  for (int y = image.Height() - 1; y >= 0; --y) {
-    for (int x = 0; x < image.Width(); ++x) {
-      const Rgb8 pixel = image.getPixel(x, y);
-      bytes.insert(bytes.end(), {pixel.b, pixel.g, pixel.r});
-    }
+  return bytes;
+}
+
+void appendRow(const Image& image, int y, Bytes& bytes) {
+  for (int x = 0; x < image.Width(); ++x) {
+    const Rgb8 pixel = image.getPixel(x, y);
+    bytes.insert(bytes.end(), {pixel.b, pixel.g, pixel.r});
   }
+}
+
+}  // namespace
+
+Bytes encodeTga(const Image& image) {
+  Bytes bytes = headerOf(image);
+  for (int y = image.Height() - 1; y >= 0; --y) appendRow(image, y, bytes);
   return bytes;
 }
 
@@ -37,6 +47,13 @@ void writeTga(const Image& image, const std::string& path) {
                                 std::to_string(image.Width()) + " x " +
                                 std::to_string(image.Height()));
   }
-  const Bytes bytes = encodeTga(image);
-  writeFile(path, bytes.data(), bytes.size());
+  OutputFile file(path);
+  Bytes bytes = headerOf(image);
+  for (int y = image.Height() - 1; y >= 0; --y) {
+    appendRow(image, y, bytes);
+    if (bytes.size() < kPiece && y > 0) continue;
+    file.write(bytes.data(), bytes.size());
+    bytes.clear();
+  }
+  file.commit();
 }

@@ -68,7 +68,7 @@ bool BlockReader::skipUnknown(std::string_view owner, WordList allowed) {
   const std::string where = " in " + std::string(owner);
   const std::string_view meant = nearestWord(word_, allowed);
   if (isNumber(word_)) {
-    report(at(), "a number too many" + where + ": " + found());
+    report(at(), "a number too many" + where + ": expected a word or '}', found " + found());
   } else if (!meant.empty()) {
     report(at(), "unknown word " + found() + where + "; did you mean " + quoted(meant) + "?");
   } else {

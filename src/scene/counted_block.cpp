@@ -38,7 +38,8 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
     if (block.items.contains(in_.word())) {
       if (isSure && found == expected) {
         in_.report(in_.at(),
-                   says() + std::string(block.owner) + " goes on with " + in_.quotedAt(in_.at()));
+                   says() + std::string(block.owner) + " goes on: expected '}', found " +
+                       in_.quotedAt(in_.at()));
         isSure = false;
       }
       readItem();
@@ -50,8 +51,9 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
     }
   }
   if (isSure && found < expected) {
-    in_.report(in_.at(),
-               says() + std::string(block.owner) + " ends after " + std::to_string(found));
+    in_.report(in_.at(), says() + std::string(block.owner) + " ends after " +
+                             std::to_string(found) + ": expected " +
+                             std::to_string(expected - found) + " more, found '}'");
   }
   in_.advance();
 }

@@ -30,6 +30,12 @@ const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
   return byName_[name] = load(name, isNew);
 }
 
+std::vector<std::string> MeshLibrary::files() const {
+  std::vector<std::string> paths;
+  for (const auto& entry : byPath_) paths.push_back(entry.first);
+  return paths;
+}
+
 const MeshGeometry* MeshLibrary::load(std::string_view name, bool& isNew) {
   const std::size_t place = std::size_t(name.data() - scene_.bytes().data());
   std::string tried;

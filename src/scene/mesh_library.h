@@ -23,6 +23,9 @@ class MeshLibrary {
   /// was read just now. Not owned by the caller.
   const MeshGeometry* find(std::string_view name, bool& isNew);
 
+  /// The files that find() has read, as absolute paths without links, in alphabetical order.
+  std::vector<std::string> files() const;
+
  private:
   const MeshGeometry* load(std::string_view name, bool& isNew);
   const MeshGeometry* read(const std::string& path, std::string bytes, std::size_t place);

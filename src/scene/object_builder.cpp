@@ -28,7 +28,7 @@ const Object3D* SceneBuilder::readObject() {
 /// Reports, and passes over the block, where a Group or Transform stands too deep.
 bool SceneBuilder::isTooDeep() {
   if (depth_ < kMaxNesting) return false;
-  in_.report(in_.at(), "Groups and Transforms stand more than " + std::to_string(kMaxNesting) +
+  in_.report(in_.at(), "expected Groups and Transforms at most " + std::to_string(kMaxNesting) +
                            " deep inside each other, found another " + quoted(in_.word()));
   in_.advance();
   if (in_.word() == "{") in_.skipBlock();

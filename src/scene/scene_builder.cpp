@@ -146,6 +146,7 @@ void SceneBuilder::finish() {
          "the scene has no lights: it is shown in white ambient light");
   }
   if (!hasGroup_) warn(in_.at(), "the scene has no Group: nothing will be seen");
+  scene_.meshFiles_ = meshes_.files();
   warnOfMoreFlatTriangles();
   std::stable_sort(warnings_.begin(), warnings_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -96,7 +96,8 @@ const Object3D* SceneBuilder::readTransform() {
   if (!areStepsGood) return nullptr;
   if (!hasInverse(matrix)) {
     in_.report(at,
-               "singular transform: the steps of this Transform, multiplied, cannot be inverted");
+               "singular transform: expected steps that, multiplied, can be inverted, found their "
+               "product singular");
     return nullptr;
   }
   return object ? keep(std::make_unique<Transform>(matrix, object)) : nullptr;

@@ -2,12 +2,14 @@
 #include "system/worker_threads.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -57,8 +59,11 @@ class StackSize {
 }  // namespace
 
 int hardwareThreads() {
-  const long count = sysconf(_SC_NPROCESSORS_ONLN);
-  return int(std::max(1L, count));
+  cpu_set_t allowed;  // fewer than the machine has, under taskset or in a container
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+    return std::max(1, CPU_COUNT(&allowed));
+  }
+  return int(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));  // more cores than a cpu_set_t holds
 }
 
 void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work) {
@@ -73,6 +78,9 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
     if (error == 0) started.push_back(thread);
   }
   for (const pthread_t thread : started) pthread_join(thread, nullptr);
-  if (started.empty()) throw std::system_error(error, std::generic_category(), "no thread");
+  if (started.empty()) {
+    const std::string room = std::to_string(stackBytes >> 20) + " MB of stack";
+    throw std::system_error(error, std::generic_category(), "cannot start a thread with " + room);
+  }
   if (shared.failure) std::rethrow_exception(shared.failure);
 }

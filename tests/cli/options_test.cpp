@@ -219,12 +219,14 @@ TEST("accel is fast or tree") {
   CHECK(parse({"-accel", "tree"}).accel == Options::Accel::tree);
   CHECK(parse({"-accel", "tree", "-accel", "fast"}).accel == Options::Accel::fast);
   CHECK(contains(mistake({"-accel", "slow"}), "expected fast or tree, found 'slow'"));
+  CHECK(contains(mistake({"-accel", "fsat"}), "found 'fsat'; did you mean 'fast'?"));
 }
 
 TEST("an unknown argument is answered with the nearest one") {
   CHECK(contains(mistake({"-bounce", "5"}), "did you mean '-bounces'?"));
   CHECK(contains(mistake({"--noshadows"}), "did you mean '-no_shadows'?"));
   CHECK(contains(mistake({"-wieght", "1"}), "did you mean '-weight'?"));
+  CHECK(contains(mistake({"-szie", "4", "4"}), "did you mean '-size'?"));
   CHECK(contains(mistake({"-zzzzzzzz"}), "unknown argument '-zzzzzzzz'; 'raytracer -help'"));
   CHECK(contains(mistake({"---quiet"}), "unknown argument"));
   CHECK(contains(mistake({"scene.txt"}), "found 'scene.txt'"));

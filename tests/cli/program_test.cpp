@@ -106,6 +106,19 @@ TEST("text that cannot be printed is a failed output") {
   checkFailure(desk.run("-check -input scene.txt >/dev/full"), 1, "standard output");
 }
 
+TEST("an output must not be a mesh of the scene") {
+  const Desk desk;
+  const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  desk.write("a mesh.obj", mesh);
+  std::filesystem::create_symlink("a mesh.obj", desk.file("link.obj"));
+  desk.write("mesh.txt", check::smallScene() +
+                             "Group { numObjects 1 TriangleMesh { obj_file link.obj } }\n");
+  for (const char* output : {"-output 'a mesh.obj'", "-depth 1 2 link.obj", "-normals link.obj"}) {
+    checkFailure(desk.run(std::string("-input mesh.txt ") + output), 2, "one of its meshes");
+  }
+  CHECK_EQUAL(check::contentOf(desk.file("a mesh.obj")), mesh);
+}
+
 TEST("wrong usage gives status 2 and leaves the old image alone") {
   const Desk desk;
   desk.write("out.tga", "old");
@@ -224,6 +237,21 @@ TEST("a signal ends a run and leaves the old image and no litter") {
     CHECK_EQUAL(check::contentOf(desk.file("out.tga")), "old");
     CHECK_EQUAL(desk.fileCount(), std::size_t(2));
   }
+}
+
+TEST("scenes nested to the limit are read and shown whatever the shell's limit for the stack") {
+  const Desk desk;
+  std::string scene = check::smallScene();
+  const std::size_t sphere = scene.find("Sphere"), end = scene.find('}', sphere) + 1;
+  scene.insert(end, std::string(999, '}'));
+  for (int i = 0; i < 999; ++i) scene.insert(sphere, "Transform { ");
+  desk.write("deep.txt", scene);
+  CHECK_EQUAL(desk.run("-input deep.txt -output a", "ulimit -s 128;").status, 0);
+  CHECK_EQUAL(desk.run("-input deep.txt -output b -accel tree", "ulimit -s 128;").status, 0);
+  CHECK_EQUAL(desk.run("-input deep.txt -check", "ulimit -s 128;").status, 0);
+  CHECK_EQUAL(desk.run("-input scene.txt -output c").status, 0);
+  CHECK(check::contentOf(desk.file("a")) == check::contentOf(desk.file("c")));
+  CHECK(check::contentOf(desk.file("b")) == check::contentOf(desk.file("c")));
 }
 
 TEST("an image that memory cannot hold gives status 1 and says what it was for") {

@@ -40,14 +40,15 @@ inline long entriesOf(const std::string& folder) {
                        std::filesystem::directory_iterator());
 }
 
-/// The part of the message behind "PATH: " of the OutputError of `attempt`; empty without one.
+/// The part of the message behind "PATH: cannot be written: " of the OutputError of `attempt`; empty without one.
 template <class Attempt>
 std::string faultOf(const std::string& path, Attempt attempt) {
   try {
     attempt();
   } catch (const OutputError& error) {
     const std::string text = error.what();
-    return text.rfind(path + ": ", 0) == 0 ? text.substr(path.size() + 2) : "no path in: " + text;
+    const std::string start = path + ": cannot be written: ";
+    return text.rfind(start, 0) == 0 ? text.substr(start.size()) : "no path in: " + text;
   }
   return "";
 }

@@ -5,10 +5,12 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "check.h"
 #include "image/output_file.h"
+#include "image/tga.h"
 #include "output_files.h"
 
 namespace fs = std::filesystem;
@@ -29,7 +31,7 @@ TEST("a write that fails half way leaves the old file and no litter") {
     try {
       write(path, std::string(5000, 'n'));
     } catch (const OutputError& error) {
-      return error.what() == path + ": File too large" ? 0 : 2;
+      return error.what() == path + ": cannot be written: File too large" ? 0 : 2;
     }
     return 1;
   });
@@ -116,4 +118,20 @@ TEST("a signal at any moment leaves the old file or the whole new one, and no li
       CHECK(entry.path().filename() == "a" || entry.path().filename() == "b");
     }
   }
+}
+
+TEST("a picture is written without a second copy of it in memory") {
+  const int status = inProcess([] {
+    const Image image(6000, 6000);  // 108 MB, against 32 MB more than is in use
+    std::ifstream statistics("/proc/self/statm");
+    rlim_t pages = 0;
+    if (!(statistics >> pages)) return 77;
+    const rlim_t room = pages * rlim_t(sysconf(_SC_PAGESIZE)) + (rlim_t{32} << 20);
+    const rlimit limit = {room, room};
+    setrlimit(RLIMIT_AS, &limit);
+    writeTga(image, "/dev/null");
+    return 0;
+  });
+  if (WEXITSTATUS(status) == 77) SKIP("the memory in use cannot be asked here");
+  CHECK_EQUAL(WEXITSTATUS(status), 0);
 }

@@ -112,7 +112,7 @@ TEST("a ball in Transforms counts its length in world units") {
 }
 
 TEST("a closed mesh dims by length, also where the light goes through its edges") {
-  const std::string mesh = "TriangleMesh { obj_file " + cubeFile(6) + " }";
+  const std::string mesh = scene_text::mesh(cubeFile(6));
   const std::string raised = "Transform { Translate 0 5 0 " + mesh + " }";
   checkLight(underGlass(1, raised), 0, glass(2));  // through the diagonals of both sides
   checkLight(underGlass(1, raised), 0.3, glass(2));
@@ -124,7 +124,7 @@ TEST("a closed mesh dims by length, also where the light goes through its edges"
 }
 
 TEST("a mesh that is not closed multiplies once for every face that the light crosses") {
-  const std::string mesh = "TriangleMesh { obj_file " + cubeFile(5) + " }";
+  const std::string mesh = scene_text::mesh(cubeFile(5));
   const std::string raised = "Transform { Translate 0 5 0 " + mesh + " }";
   checkLight(underGlass(1, raised), 0.3, glass(2));  // two faces, by chance as for a length of 2
   checkLight(underGlass(1, "Transform { Translate 0 5 0 Scale 1 3 1 " + mesh + " }"), 0.3,
@@ -143,7 +143,7 @@ TEST("a lamp inside a glass ball shines through what lies before it") {
   checkLight(underGlass(1, kBall, 5.5), 0, glass(1.5));
   checkLight(underGlass(1, kBall, 3.9), 0, {1, 1, 1});
   checkLight(underGlass(1, kBall, 6.1), 0, glass(2));
-  const std::string mesh = "TriangleMesh { obj_file " + cubeFile(6) + " }";
+  const std::string mesh = scene_text::mesh(cubeFile(6));
   checkLight(underGlass(1, "Transform { Translate 0 5 0 " + mesh + " }", 5.25), 0, glass(1.25));
 }
 
@@ -207,7 +207,7 @@ TEST("a closed mesh that is inside out dims as one that is not") {
       "v 0 -1 -1\nv 1 -1 1\nv -1 -1 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n", ".obj");
   for (const std::string& file : {inverted, upright}) {
     checkLight(
-        underGlass(1, "Transform { Translate 0 5 0 TriangleMesh { obj_file " + file + " } }"), 0,
+        underGlass(1, "Transform { Translate 0 5 0" + scene_text::mesh(file) + "}"), 0,
         glass(2));  // from the apex straight down to the base
   }
 }

@@ -44,6 +44,8 @@ void expectMistake(const std::string& text, int line, const std::string& part, i
   check::report(isRight, __FILE__, testLine, found + " for:\n" + text);
 }
 
+/// `name` must hold no white space: meshes are looked up beside the scene, so a file's own name
+/// will do wherever the tests run.
 std::string mesh(const std::string& name) { return "TriangleMesh { obj_file " + name + " }"; }
 
 }  // namespace
@@ -151,7 +153,7 @@ TEST("a mesh is found in the current folder, behind the one beside the scene") {
 TEST("a mesh that cannot be read is a mistake of the scene's line that names it") {
   CHECK_MISTAKE(scenes::around("\n" + mesh("no/such.obj")), 6, "'no/such.obj'");
   CHECK_MISTAKE(scenes::around(mesh("no/such.obj")), 5, "No such file");
-  CHECK_MISTAKE(scenes::around(mesh(check::temporaryFolder())), 5, "folder");
+  CHECK_MISTAKE(scenes::around(mesh(".")), 5, "folder");
   CHECK_MISTAKE(scenes::around(mesh(std::string(100'000, 'x'))), 5, "xxx...'");
   CHECK_MISTAKE(scenes::around(mesh(std::string("a\0b", 3))), 5, "'a\\x00b'");
   CHECK_MISTAKE(scenes::around("TriangleMesh { obj_file }"), 5, "'}'");
@@ -160,7 +162,7 @@ TEST("a mesh that cannot be read is a mistake of the scene's line that names it"
 
 TEST("a mistake inside a mesh names the mesh, once however often it is used") {
   const std::string path = scenes::write("bad.obj", "\nf 1 2 3\n");
-  const std::string scene = scenes::around(mesh(path) + mesh(path), 2);
+  const std::string scene = scenes::around(mesh(scenes::lastPart(path)) + mesh(scenes::lastPart(path)), 2);
   CHECK_EQUAL(scenes::mistakesIn(scene).find("2: face index out of range"), 0u);
   const std::string scenePath = scenes::write("scene.txt", scene);
   const std::vector<InputError> mistakes = SceneParser::check(scenePath.c_str());
@@ -174,8 +176,9 @@ TEST("an endless device is no mesh, and a mesh may be a pipe") {
 }
 
 TEST("meshes without faces, and faces without area, are warned of once") {
-  const std::string empty = scenes::write("empty.obj", "");
-  const std::string flat = scenes::write("flat.obj", kSquare + "f 1 2 3\nf 1 1 2\nf 2 2 3\n");
+  const std::string empty = scenes::lastPart(scenes::write("empty.obj", ""));
+  const std::string flat =
+      scenes::lastPart(scenes::write("flat.obj", kSquare + "f 1 2 3\nf 1 1 2\nf 2 2 3\n"));
   const auto scene =
       scenes::parse(scenes::around(mesh(empty) + "\n" + mesh(flat) + mesh(flat) + mesh(empty), 4));
   CHECK_EQUAL(scene->getWarnings().size(), 2u);
@@ -188,8 +191,8 @@ TEST("meshes without faces, and faces without area, are warned of once") {
 TEST("only meshes of transparent material are asked whether they are closed") {
   const std::string text =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-  const std::string clear = scenes::write("clear.obj", text),
-                    solid = scenes::write("solid.obj", text);
+  const std::string clear = scenes::lastPart(scenes::write("clear.obj", text)),
+                    solid = scenes::lastPart(scenes::write("solid.obj", text));
   const auto scene = scenes::parse(scenes::around(
       "Material { transparentColor 0 0 .1 }" + mesh(clear) + "MaterialIndex 1" + "\n" + mesh(solid),
       2));

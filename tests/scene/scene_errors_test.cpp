@@ -80,7 +80,8 @@ TEST("bad numbers are named with their field") {
   CHECK_MISTAKE(around("Material { diffuseColor 0 1e39 0 }" + kSphere), 5, "'1e39'");
   CHECK_MISTAKE(around("Sphere { center 0 0 radius 1 }"), 5,
                 "expected a number for center, found 'radius'");
-  CHECK_MISTAKE(around("Sphere { center 0 0 0 0 radius 1 }"), 5, "a number too many in Sphere");
+  CHECK_MISTAKE(around("Sphere { center 0 0 0 0 radius 1 }"), 5, 
+                "a number too many in Sphere: expected a word or '}', found '0'");
   CHECK_MISTAKE(around("Sphere { center 0 0 0 radius " + std::string(1'000'000, '9') + "x }"), 5,
                 "'" + std::string(40, '9') + "...'");
 }
@@ -101,9 +102,9 @@ TEST("unknown words are named, with the word that was meant") {
 
 TEST("counts are checked both ways, where the list ends or goes on") {
   CHECK_MISTAKE(around(kSphere + kSphere + "\n", 3), 9,
-                "numObjects says 3, but Group ends after 2");
+                "numObjects says 3, but Group ends after 2: expected 1 more, found '}'");
   CHECK_MISTAKE(around(kSphere + kSphere, 1), 6,
-                "numObjects says 1, but Group goes on with 'Sphere'");
+                "numObjects says 1, but Group goes on: expected '}', found 'Sphere'");
   CHECK_MISTAKE(around(kSphere, 0), 5, "numObjects says 0");
   CHECK_MISTAKE(around(kSphere, 2147483647), 7, "numObjects says 2147483647");
   CHECK_MISTAKE(kStart + "Group { numObjects 2147483648 }", 4, "'2147483648'");
@@ -216,11 +217,11 @@ TEST("braces must match, and sections stand outside") {
 
 TEST("nesting beyond 1000 levels is refused with its line, at any depth") {
   const std::string groups = kStart + repeated("Group { numObjects 1\n", 100'000);
-  CHECK_MISTAKE(groups, 1004, "more than 1000 deep");
+  CHECK_MISTAKE(groups, 1004, "expected Groups and Transforms at most 1000 deep");
   CHECK(countLines(mistakesIn(groups)) == 2);  // and the file ends inside
   const std::string transforms =
       around(repeated("Transform { Scale 2 2 2\n", 100'000) + kSphere + repeated("}", 100'000));
-  CHECK_MISTAKE(transforms, 1004, "more than 1000 deep");
+  CHECK_MISTAKE(transforms, 1004, "expected Groups and Transforms at most 1000 deep");
   CHECK_EQUAL(countLines(mistakesIn(transforms)), 1u);
 }
 

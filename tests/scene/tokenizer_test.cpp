@@ -74,6 +74,9 @@ TEST("the nearest word is found for a slip and none for another word") {
   CHECK_EQUAL(nearestWord("Trangle", kAllowed), "Triangle");
   CHECK_EQUAL(nearestWord("TriangelMesh", kAllowed), "TriangleMesh");
   CHECK_EQUAL(nearestWord("Cube", kAllowed), "");
+  // Two letters swapped are one slip: of five letters no more may be wrong.
+  CHECK_EQUAL(nearestWord("Plnae", kAllowed), "Plane");
+  CHECK_EQUAL(nearestWord("lPane", kAllowed), "Plane");
   CHECK_EQUAL(nearestWord(std::string(1'000'000, 'S'), kAllowed), "");
   CHECK_EQUAL(listed(kAllowed), "Sphere, Plane, TriangleMesh or Triangle");
 }

@@ -24,7 +24,8 @@ class WordList {
 std::string quoted(std::string_view word, std::size_t limit = 40);
 
 /// The word of `allowed` that `word` is probably a slip of; empty where none is near. Near means
-/// a third of its letters may be wrong, missing or added; upper and lower case count as equal.
+/// a third of its letters may be wrong, missing, added, or swapped with the next one; upper and
+/// lower case count as equal.
 std::string_view nearestWord(std::string_view word, WordList allowed);
 
 /// "a, b or c".

@@ -1,0 +1,36 @@
+// Worker threads: how many are right, and that all work is done whatever happens.
+#include "system/worker_threads.h"
+
+#include <sched.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "check.h"
+
+TEST("no more threads are right than cores that the process may use") {
+  cpu_set_t before;
+  if (sched_getaffinity(0, sizeof before, &before) != 0) SKIP("affinity cannot be asked here");
+  CHECK_EQUAL(hardwareThreads(), CPU_COUNT(&before));
+  int core = 0;
+  while (!CPU_ISSET(core, &before)) ++core;
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(core, &one);
+  if (sched_setaffinity(0, sizeof one, &one) != 0) SKIP("affinity cannot be changed here");
+  CHECK_EQUAL(hardwareThreads(), 1);
+  sched_setaffinity(0, sizeof before, &before);
+}
+
+TEST("every index is worked on once, and the first exception comes out after the rest is done") {
+  std::atomic<int> sum{0};
+  runOnThreads(100, 1 << 16, [&](int index) { sum += index; });
+  CHECK_EQUAL(sum.load(), 4950);  // 0 + 1 + ... + 99
+  std::atomic<int> done{0};
+  const auto failing = [&](int index) {
+    if (index == 3) throw std::runtime_error("three");
+    ++done;
+  };
+  CHECK_THROWS(runOnThreads(8, 1 << 16, failing), std::runtime_error);
+  CHECK_EQUAL(done.load(), 7);
+}
