@@ -1,210 +1,131 @@
-// The builder: binary splits by the binned surface area heuristic, eight children to a node.
+// The builder: gathers the binary tree into nodes of eight, then has the leaves written.
 #include "accel/bvh_builder.h"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <new>
+#include <stdexcept>
+#include <vector>
+
+#include "accel/binary_tree.h"
+#include "accel/divide.h"
+#include "accel/parallel.h"
+#include "accel/traversal.h"
 
 namespace accel {
 namespace {
 
-constexpr int kBins = 16;
-/// Beyond this many binary splits above it a range is halved by number: bounded depth for any
-/// input.
-constexpr int kMostSahSplits = 40;
+static_assert(kMostSplits < kMostLevels, "a walk's stack is deep enough for any tree");
 
-struct Box {
-  float low[3], high[3];
+/// Leaves that are written in one go, by one thread.
+constexpr std::size_t kLeavesPerRun = 8192;
 
-  static Box empty() {
-    constexpr float inf = std::numeric_limits<float>::infinity();
-    return {{inf, inf, inf}, {-inf, -inf, -inf}};
-  }
-  void extend(const float* otherLow, const float* otherHigh) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], otherLow[axis]);
-      high[axis] = std::max(high[axis], otherHigh[axis]);
-    }
-  }
-  void extend(const Box& other) { extend(other.low, other.high); }
-  float halfArea() const {
-    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * y + y * z + z * x;
-  }
+struct LeafRun {
+  std::size_t firstItem, firstLeaf, firstWord;
 };
 
-/// A run of items, the boxes around them and around their centres (twice the centres, in fact).
-struct Range {
-  BuildItem* first;
-  std::size_t count;
-  Box box, centers;
-  int splits;
-
-  bool isLeaf() const {
-    if (count > std::size_t(mostInLeaf(first->kind))) return false;
-    return std::all_of(first, first + count,
-                       [&](const BuildItem& item) { return item.kind == first->kind; });
-  }
-};
-
-float centerOf(const BuildItem& item, int axis) { return item.low[axis] + item.high[axis]; }
-
-Range rangeOf(BuildItem* first, std::size_t count, int splits) {
-  Range range{first, count, Box::empty(), Box::empty(), splits};
-  for (const BuildItem* item = first; item != first + count; ++item) {
-    range.box.extend(item->low, item->high);
-    const float center[3] = {centerOf(*item, 0), centerOf(*item, 1), centerOf(*item, 2)};
-    range.centers.extend(center, center);
-  }
-  return range;
-}
-
-struct Split {
-  int axis = -1;  // -1: none found
-  int bin = 0;    // items in bins up to this one go left
-  float cost = std::numeric_limits<float>::infinity();
-};
-
-/// Which bin a centre belongs to along one axis.
-struct Binning {
-  float low, scale;
-
-  Binning(const Range& range, int axis)
-      : low(range.centers.low[axis]),
-        scale(float(kBins) * 0.99f / (range.centers.high[axis] - range.centers.low[axis])) {}
-  bool isUsable() const { return scale > 0 && scale < std::numeric_limits<float>::max(); }
-  int operator()(float center) const {
-    return std::clamp(int((center - low) * scale), 0, kBins - 1);
-  }
-};
-
-Split bestSplitOnAxis(const Range& range, int axis) {
-  const Binning binOf(range, axis);
-  Split best;
-  if (!binOf.isUsable()) return best;
-  Box boxes[kBins];
-  std::size_t counts[kBins] = {};
-  std::fill(boxes, boxes + kBins, Box::empty());
-  for (const BuildItem* item = range.first; item != range.first + range.count; ++item) {
-    const int bin = binOf(centerOf(*item, axis));
-    boxes[bin].extend(item->low, item->high);
-    ++counts[bin];
-  }
-  float rightCost[kBins];
-  Box right = Box::empty();
-  std::size_t rightCount = 0;
-  for (int bin = kBins - 1; bin > 0; --bin) {
-    right.extend(boxes[bin]);
-    rightCount += counts[bin];
-    rightCost[bin] = rightCount == 0 ? -1 : right.halfArea() * float(rightCount);
-  }
-  Box left = Box::empty();
-  std::size_t leftCount = 0;
-  for (int bin = 0; bin + 1 < kBins; ++bin) {
-    left.extend(boxes[bin]);
-    leftCount += counts[bin];
-    if (leftCount == 0 || rightCost[bin + 1] < 0) continue;
-    const float cost = left.halfArea() * float(leftCount) + rightCost[bin + 1];
-    if (cost < best.cost) best = {axis, bin, cost};
-  }
-  return best;
-}
-
-/// Divides a range of at least two items in two.
-void divide(const Range& range, Range& left, Range& right) {
-  Split best;
-  if (range.splits < kMostSahSplits) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const Split split = bestSplitOnAxis(range, axis);
-      if (split.cost < best.cost) best = split;
-    }
-  }
-  BuildItem* middle = range.first + range.count / 2;
-  if (best.axis >= 0) {
-    const Binning binOf(range, best.axis);
-    middle = std::partition(range.first, range.first + range.count, [&](const BuildItem& item) {
-      return binOf(centerOf(item, best.axis)) <= best.bin;
-    });
-  } else if (range.count <= 4096) {
-    // No centre differs, or none by much: sort by kind, so that leaves become uniform.
-    std::sort(range.first, range.first + range.count, [](const BuildItem& a, const BuildItem& b) {
-      return a.kind != b.kind ? a.kind < b.kind : a.id < b.id;
-    });
-  }
-  const std::size_t leftCount = std::size_t(middle - range.first);
-  left = rangeOf(range.first, leftCount, range.splits + 1);
-  right = rangeOf(middle, range.count - leftCount, range.splits + 1);
-}
-
-class Builder {
+/// Makes the wide nodes. Leaves get their places in the order of their items.
+class Gatherer {
  public:
-  Builder(WideBvh& bvh, const LeafWriter& writer, std::size_t count) : bvh_(bvh), writer_(writer) {
-    bvh_.nodes = PageBuffer((count + 1) * sizeof(WideNode));
-    bvh_.leaves = PageBuffer((count * 11 + 64) * sizeof(std::uint32_t));
-  }
-
-  void build(const Range& root) {
+  Gatherer(const BinaryTree& tree, const BuildItem* items, WideBvh& bvh)
+      : tree_(tree), items_(items), bvh_(bvh) {
+    bvh_.nodes = PageBuffer(tree.leafCount() * sizeof(WideNode));
     bvh_.nodeCount = 1;
     bvh_.leafWords = 1;  // offset 0 means no leaf
-    buildNode(0, root);
+    sizes_.reserve(tree.leafCount());
+    gather(0, BinaryTree::kRoot);
     bvh_.nodes.shrink(bvh_.nodeCount * sizeof(WideNode));
-    bvh_.leaves.shrink((bvh_.leafWords + kWidth) * sizeof(std::uint32_t));
-    for (int axis = 0; axis < 3; ++axis) {
-      bvh_.low[axis] = root.box.low[axis];
-      bvh_.high[axis] = root.box.high[axis];
-    }
+    runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
   }
+
+  /// How many items each leaf has.
+  const std::vector<std::uint8_t>& sizes() const { return sizes_; }
+  /// Where each run of leaves begins, and the end of the last one.
+  const std::vector<LeafRun>& runs() const { return runs_; }
 
  private:
-  WideNode& node(std::uint32_t index) { return static_cast<WideNode*>(bvh_.nodes.data())[index]; }
+  struct Parts {
+    std::uint32_t nodes[kWidth];
+    int count = 0;
+  };
 
-  void buildNode(std::uint32_t index, const Range& range) {
-    Range children[kWidth] = {range};
-    int count = 1;
-    while (count < kWidth) {
-      int widest = -1;
-      for (int i = 0; i < count; ++i) {
-        if (children[i].count < 2 || (children[i].count <= 2 && children[i].isLeaf())) continue;
-        if (widest < 0 || children[i].box.halfArea() > children[widest].box.halfArea()) widest = i;
-      }
-      if (widest < 0) break;
-      const Range whole = children[widest];
-      divide(whole, children[widest], children[count++]);
+  /// Adds what becomes of `index` in `slots` slots of a wide node.
+  void open(std::uint32_t index, int slots, Parts& parts) const {
+    const BinaryNode& node = tree_.node(index);
+    if (GatherPlan::isLeaf(node.plan) || slots < GatherPlan::openFrom(node.plan)) {
+      parts.nodes[parts.count++] = index;
+      return;
     }
-    fillNode(index, children, count);
+    const int first = GatherPlan::forFirst(node.plan, slots);
+    open(node.children, first, parts);
+    open(node.children + 1, slots - first, parts);
   }
 
-  void fillNode(std::uint32_t index, const Range* children, int count) {
-    std::uint32_t numbers[kWidth] = {};
-    for (int i = 0; i < count; ++i) {
-      numbers[i] = children[i].isLeaf() ? writeLeaf(children[i]) : std::uint32_t(bvh_.nodeCount++);
+  /// Makes wide node `number` of binary node `index`. Recursion is as deep as the wide tree.
+  void gather(std::uint32_t number, std::uint32_t index) {
+    const BinaryNode& whole = tree_.node(index);
+    Parts parts;
+    if (GatherPlan::isLeaf(whole.plan)) {
+      parts.nodes[parts.count++] = index;
+    } else {
+      const int first = GatherPlan::forFirst(whole.plan, kWidth);
+      open(whole.children, first, parts);
+      open(whole.children + 1, kWidth - first, parts);
     }
-    WideNode& target = node(index);
+    WideNode& target = static_cast<WideNode*>(bvh_.nodes.data())[number];
+    setBoxes(target, parts);
+    for (int i = 0; i < parts.count; ++i) {  // nodes of one parent lie side by side
+      if (!isLeaf(parts.nodes[i])) target.child[i] = std::uint32_t(bvh_.nodeCount++);
+    }
+    for (int i = 0; i < parts.count; ++i) {  // in the order of the items: leaves are placed by it
+      if (isLeaf(parts.nodes[i])) {
+        target.child[i] = placeLeaf(parts.nodes[i]);
+      } else {
+        gather(target.child[i], parts.nodes[i]);
+      }
+    }
+  }
+
+  void setBoxes(WideNode& target, const Parts& parts) const {
+    constexpr float inf = std::numeric_limits<float>::infinity();
     for (int i = 0; i < kWidth; ++i) {
-      const Box box = i < count ? children[i].box : Box::empty();
       for (int axis = 0; axis < 3; ++axis) {
-        target.planes[2 * axis][i] = box.low[axis];
-        target.planes[2 * axis + 1][i] = box.high[axis];
+        const BinaryNode* part = i < parts.count ? &tree_.node(parts.nodes[i]) : nullptr;
+        // Adding 0 turns -0 into 0: which of them is the smaller depends on the order of asking.
+        target.planes[2 * axis][i] = part ? part->low[axis] + 0.0f : inf;
+        target.planes[2 * axis + 1][i] = part ? part->high[axis] + 0.0f : -inf;
       }
-      target.child[i] = numbers[i];
-    }
-    for (int i = 0; i < count; ++i) {
-      if ((numbers[i] & kLeafBit) == 0) buildNode(numbers[i], children[i]);
+      target.child[i] = 0;
     }
   }
 
-  std::uint32_t writeLeaf(const Range& range) {
+  bool isLeaf(std::uint32_t index) const { return GatherPlan::isLeaf(tree_.node(index).plan); }
+
+  std::uint32_t placeLeaf(std::uint32_t index) {
+    const std::size_t size = std::size_t(GatherPlan::leafItems(tree_.node(index).plan));
+    if (sizes_.size() % kLeavesPerRun == 0) runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
     const std::uint32_t offset = std::uint32_t(bvh_.leafWords);
-    writer_.write(range.first, int(range.count),
-                  static_cast<std::uint32_t*>(bvh_.leaves.data()) + offset);
-    bvh_.leafWords += wordsOf(range.first->kind, int(range.count));
+    const LeafKind kind = items_[tree_.isUniform() ? 0 : item_].kind;
+    bvh_.leafWords += wordsOf(kind, int(size));
+    item_ += size;
+    sizes_.push_back(std::uint8_t(size));
     return offset | kLeafBit;
   }
 
+  const BinaryTree& tree_;
+  const BuildItem* items_;
   WideBvh& bvh_;
-  const LeafWriter& writer_;
+  std::vector<std::uint8_t> sizes_;
+  std::vector<LeafRun> runs_;
+  std::size_t item_ = 0;
 };
+
+void setBox(WideBvh& bvh, const BinaryNode& root) {
+  for (int axis = 0; axis < 3; ++axis) {
+    bvh.low[axis] = root.low[axis];
+    bvh.high[axis] = root.high[axis];
+  }
+}
 
 }  // namespace
 
@@ -214,11 +135,26 @@ std::uint32_t leafHead(float edge, LeafKind kind, int count) {
   return ((bits + 0xff) & ~0xffu) | std::uint32_t(kind) << 4 | std::uint32_t(count);
 }
 
-void buildWideBvh(WideBvh& bvh, BuildItem* items, std::size_t count, const LeafWriter& writer,
-                  int threads) {
-  (void)threads;
-  if (count == 0) return;
-  Builder(bvh, writer, count).build(rangeOf(items, count, 0));
+void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int threads) {
+  if (items.count() == 0) return;
+  if (items.count() > kMostItems) throw std::length_error("too many primitives for one tree");
+  std::vector<std::uint8_t> sizes;
+  std::vector<LeafRun> runs;
+  {
+    const BinaryTree tree(items.data(), items.count(), threads);
+    setBox(bvh, tree.node(BinaryTree::kRoot));
+    const Gatherer gatherer(tree, items.data(), bvh);
+    sizes = gatherer.sizes();
+    runs = gatherer.runs();
+  }
+  bvh.leaves = PageBuffer((bvh.leafWords + kWidth) * sizeof(std::uint32_t));
+  std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
+  forEachIndex(threads, runs.size() - 1, [&](int, std::size_t i) {
+    const LeafRun &run = runs[i], &next = runs[i + 1];
+    writer.write(items.data() + run.firstItem, sizes.data() + run.firstLeaf,
+                 next.firstLeaf - run.firstLeaf, words + run.firstWord);
+    items.discard(run.firstItem, next.firstItem);
+  });
 }
 
 }  // namespace accel

@@ -7,7 +7,8 @@
 
 namespace accel {
 
-/// A primitive to be sorted into the tree: its box in the normalised space, rounded outwards.
+/// A primitive to be sorted into the tree: its box in the normalised space, rounded outwards,
+/// finite.
 struct BuildItem {
   float low[3];
   std::uint32_t id;
@@ -16,12 +17,35 @@ struct BuildItem {
 };
 static_assert(sizeof(BuildItem) == 32, "two to a cache line");
 
+/// Room for the items of a tree.
+class BuildItems {
+ public:
+  /// Room for `capacity` items, none of which is had before it is written.
+  explicit BuildItems(std::size_t capacity) : memory_(capacity * sizeof(BuildItem)) {}
+
+  BuildItem* data() { return static_cast<BuildItem*>(memory_.data()); }
+  std::size_t count() const { return count_; }
+  /// Says how many of them, from the front, there are.
+  void setCount(std::size_t count) { count_ = count; }
+  void add(const BuildItem& item) { data()[count_++] = item; }
+  /// Gives back the memory of items [begin, end) as far as it fills pages. Thread-safe.
+  void discard(std::size_t begin, std::size_t end) {
+    memory_.discard(begin * sizeof(BuildItem), end * sizeof(BuildItem));
+  }
+
+ private:
+  PageBuffer memory_;
+  std::size_t count_ = 0;
+};
+
 class LeafWriter {
  public:
   virtual ~LeafWriter() = default;
-  /// Writes the leaf of `count` items, all of one kind, into wordsOf(kind, count) words. Called
-  /// from several threads at once.
-  virtual void write(const BuildItem* items, int count, std::uint32_t* words) const = 0;
+  /// Writes `leafCount` leaves one behind the other: the first has the first sizes[0] of the items,
+  /// which are all of one kind, and takes wordsOf(kind, sizes[0]) words, and so on. Called from
+  /// several threads at once.
+  virtual void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
+                     std::uint32_t* words) const = 0;
 };
 
 /// The head of a leaf: `edge` rounded up a little, kind and count in its low byte.
@@ -30,11 +54,16 @@ std::uint32_t leafHead(float edge, LeafKind kind, int count);
 /// The most primitives a leaf may hold.
 constexpr int mostInLeaf(LeafKind kind) { return kind == LeafKind::objects ? 1 : 8; }
 
+/// So many that leaves of one triangle each can still be told apart by 31 bits.
+constexpr std::size_t kMostItems = 0x7fffff00u / 11;
+
 /// Builds nodes and leaves of `bvh`, whose anchor and scale are set and whose box this sets, over
-/// `count` >= 0 items, which are reordered on the way. Binned surface area heuristic.
-/// Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; eight
-/// children by opening the largest first: Wald, Benthin and Boulos, "Getting Rid of Packets", 2008.
-void buildWideBvh(WideBvh& bvh, BuildItem* items, std::size_t count, const LeafWriter& writer,
-                  int threads);
+/// up to kMostItems items (more: std::length_error), whose memory is given back as the leaves are
+/// written. The tree is a function of the items alone, not of the number of threads. Binary splits
+/// by the binned surface area heuristic, gathered into nodes of eight at the least expected cost.
+/// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
+/// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
+/// 2017.
+void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int threads);
 
 }  // namespace accel

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
-#include "accel/bvh_builder.h"
+#include "accel/build_range.h"
+#include "accel/parallel.h"
 #include "geometry/triangle_test.h"
 #include "math/bounding_box.h"
 
@@ -24,7 +26,28 @@ class MeshLeafWriter : public LeafWriter {
  public:
   MeshLeafWriter(const MeshGeometry& geometry, float scale) : geometry_(geometry), scale_(scale) {}
 
-  void write(const BuildItem* items, int count, std::uint32_t* words) const override {
+  void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
+             std::uint32_t* words) const override {
+    const BuildItem* end = std::accumulate(sizes, sizes + leafCount, items);
+    for (const std::uint8_t* size = sizes; size != sizes + leafCount; ++size) {
+      for (int i = 0; i < *size; ++i) prefetchAhead(items + i, end);
+      writeLeaf(items, *size, words);
+      words += wordsOf(LeafKind::meshTriangles, *size);
+      items += *size;
+    }
+  }
+
+ private:
+  /// The items come in no order of the mesh, so every face and vertex would be waited for.
+  void prefetchAhead(const BuildItem* item, const BuildItem* end) const {
+    constexpr std::ptrdiff_t kFacesAhead = 48, kVerticesAhead = 24;
+    if (end - item > kFacesAhead) prefetch(&geometry_.getFaces()[item[kFacesAhead].id]);
+    if (end - item <= kVerticesAhead) return;
+    for (const std::uint32_t vertex : geometry_.getFaces()[item[kVerticesAhead].id]) {
+      prefetch(&geometry_.getVertices()[vertex]);
+    }
+  }
+  void writeLeaf(const BuildItem* items, int count, std::uint32_t* words) const {
     float edge = 0;
     for (int i = 0; i < count; ++i) {
       Vec3f corners[3];
@@ -39,8 +62,6 @@ class MeshLeafWriter : public LeafWriter {
     }
     words[0] = leafHead(edge, LeafKind::meshTriangles, count);
   }
-
- private:
   const MeshGeometry& geometry_;
   float scale_;
 };
@@ -51,32 +72,99 @@ float scaleFor(const BoundingBox& box) {
   return std::ldexp(1.0f, std::clamp(-std::ilogb(longest), -126, 126));
 }
 
+constexpr std::size_t kChunk = 32768;
+
+/// Calls work(chunk, begin, end) for chunks of [0, count).
+template <class Work>
+void forEachChunk(int threads, std::size_t count, const Work& work) {
+  forEachIndex(threads, (count + kChunk - 1) / kChunk, [&](int, std::size_t chunk) {
+    work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
+  });
+}
+
+Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
+
+BoundingBox boxOf(const std::vector<Vec3f>& vertices, int threads) {
+  std::vector<BoundingBox> boxes(vertices.size() / kChunk + 1);
+  forEachChunk(threads, vertices.size(),
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 Box4 box = Box4::empty();
+                 for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
+                 float low[4], high[4];
+                 box.low.store(low);
+                 box.high.store(high);
+                 boxes[chunk] = {Vec3d(low[0], low[1], low[2]), Vec3d(high[0], high[1], high[2])};
+               });
+  for (const BoundingBox& box : boxes) boxes[0].extend(box);
+  return boxes[0];
+}
+
+/// True where scaling loses no digit.
+bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, int threads) {
+  std::vector<char> exact(vertices.size() / kChunk + 1, 1);
+  forEachChunk(threads, vertices.size(),
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 bool same = true;
+                 for (std::size_t i = begin; i < end; ++i) {
+                   same = same && vertices[i] * scale * (1 / scale) == vertices[i];
+                 }
+                 exact[chunk] = same ? 1 : 0;
+               });
+  return std::all_of(exact.begin(), exact.end(), [](char same) { return same != 0; });
+}
+
+/// Whether triangle::areaNormal is not 0, mostly without computing it: rounding changes the float
+/// normal by less than 2^-21 of the product of the edges, a denormal by less than 2^-120.
+bool hasArea(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+  const Vec3f e1 = b - a, e2 = c - a;
+  if (maxAbs(cross(e1, e2)) > maxAbs(e1) * maxAbs(e2) * 0x1p-20f + 0x1p-120f) return true;
+  return triangle::areaNormal(a, b, c) != Vec3d();
+}
+
+/// Appends the boxes of faces [begin, end) that have an area at `item`; returns the end.
+BuildItem* appendItems(const MeshGeometry& geometry, float scale, std::size_t begin,
+                       std::size_t end, BuildItem* item) {
+  const std::vector<Vec3f>& vertices = geometry.getVertices();
+  const Float4 scales = Float4::all(scale);
+  for (std::size_t i = begin; i < end; ++i) {
+    const MeshGeometry::Face& face = geometry.getFaces()[i];
+    const Vec3f &v0 = vertices[face[0]], &v1 = vertices[face[1]], &v2 = vertices[face[2]];
+    if (!hasArea(v0, v1, v2)) continue;
+    const Float4 a = asFloat4(v0), b = asFloat4(v1), c = asFloat4(v2);
+    (smaller(a, smaller(b, c)) * scales).store(item->low);
+    (larger(a, larger(b, c)) * scales).store(item->high);
+    item->id = std::uint32_t(i);
+    item->kind = LeafKind::meshTriangles;
+    ++item;
+  }
+  return item;
+}
+
+BuildItems itemsOf(const MeshGeometry& geometry, float scale, int threads) {
+  const std::size_t faces = geometry.faceCount();
+  BuildItems items(faces);
+  std::vector<std::size_t> counts(faces / kChunk + 1);
+  forEachChunk(threads, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    BuildItem* first = items.data() + begin;
+    counts[chunk] = std::size_t(appendItems(geometry, scale, begin, end, first) - first);
+  });
+  std::size_t count = 0;  // faces without area leave gaps, which are closed
+  for (std::size_t chunk = 0; chunk * kChunk < faces; ++chunk) {
+    const BuildItem* first = items.data() + chunk * kChunk;
+    if (count != chunk * kChunk) std::copy(first, first + counts[chunk], items.data() + count);
+    count += counts[chunk];
+  }
+  items.setCount(count);
+  return items;
+}
+
 }  // namespace
 
 MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geometry) {
-  BoundingBox box;
-  for (const Vec3f& vertex : geometry.getVertices()) box.extend(Vec3d(vertex));
-  const float scale = scaleFor(box);
+  const float scale = scaleFor(boxOf(geometry.getVertices(), threads));
   bvh_.scale = scale;
-  for (const Vec3f& vertex : geometry.getVertices()) {
-    exact_ = exact_ && vertex * scale * (1 / scale) == vertex;
-  }
-  std::vector<BuildItem> items;
-  items.reserve(geometry.faceCount());
-  for (std::uint32_t face = 0; face < geometry.faceCount(); ++face) {
-    const Vec3d a = geometry.corner(face, 0), b = geometry.corner(face, 1),
-                c = geometry.corner(face, 2);
-    if (triangle::areaNormal(a, b, c) == Vec3d()) continue;
-    BuildItem item{};
-    for (int axis = 0; axis < 3; ++axis) {
-      item.low[axis] = float(std::min({a[axis], b[axis], c[axis]})) * scale;
-      item.high[axis] = float(std::max({a[axis], b[axis], c[axis]})) * scale;
-    }
-    item.id = face;
-    item.kind = LeafKind::meshTriangles;
-    items.push_back(item);
-  }
-  buildWideBvh(bvh_, items.data(), items.size(), MeshLeafWriter(geometry, scale), threads);
+  exact_ = scalesExactly(geometry.getVertices(), scale, threads);
+  buildWideBvh(bvh_, itemsOf(geometry, scale, threads), MeshLeafWriter(geometry, scale), threads);
 }
 
 Vec3d MeshTree::low() const { return Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale; }

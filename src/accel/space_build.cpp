@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "accel/bvh_builder.h"
 #include "accel/mesh_tree.h"
@@ -75,7 +76,17 @@ class SpaceLeafWriter : public LeafWriter {
   SpaceLeafWriter(const std::vector<Entry>& entries, const WideBvh& bvh)
       : entries_(entries), bvh_(bvh) {}
 
-  void write(const BuildItem* items, int count, std::uint32_t* words) const override {
+  void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
+             std::uint32_t* words) const override {
+    for (const std::uint8_t* size = sizes; size != sizes + leafCount; ++size) {
+      writeLeaf(items, *size, words);
+      words += wordsOf(items[0].kind, *size);
+      items += *size;
+    }
+  }
+
+ private:
+  void writeLeaf(const BuildItem* items, int count, std::uint32_t* words) const {
     const LeafKind kind = items[0].kind;
     float edge = 0;
     for (int i = 0; i < count; ++i) {
@@ -90,8 +101,6 @@ class SpaceLeafWriter : public LeafWriter {
     }
     words[0] = leafHead(edge, kind, count);
   }
-
- private:
   Vec3d normalized(const Vec3d& p) const {
     return (p - Vec3d(bvh_.anchor[0], bvh_.anchor[1], bvh_.anchor[2])) * bvh_.scale;
   }
@@ -159,13 +168,13 @@ void Space::finish(int threads) {
   for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = middle[axis];
   const double longest = std::max(box_.longestSide(), std::numeric_limits<double>::min());
   bvh_.scale = std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000));
-  std::vector<BuildItem> items;
-  items.reserve(inTree.size());
+  BuildItems items(inTree.size());
   for (std::size_t i = 0; i < inTree.size(); ++i) {
-    items.push_back(itemOf(boxes[i], bvh_, inTree[i], leafKindOf(entries_[inTree[i]])));
+    items.add(itemOf(boxes[i], bvh_, inTree[i], leafKindOf(entries_[inTree[i]])));
   }
   boxes = {};
-  buildWideBvh(bvh_, items.data(), items.size(), SpaceLeafWriter(entries_, bvh_), threads);
+  inTree = {};
+  buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), threads);
 }
 
 }  // namespace accel

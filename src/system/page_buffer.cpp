@@ -17,7 +17,7 @@ std::size_t roundedToPage(std::size_t bytes) {
 
 }  // namespace
 
-PageBuffer::PageBuffer(std::size_t bytes) : bytes_(roundedToPage(bytes)) {
+PageBuffer::PageBuffer(std::size_t bytes, Pages pages) : bytes_(roundedToPage(bytes)) {
   if (bytes_ == 0) return;
   void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -25,7 +25,9 @@ PageBuffer::PageBuffer(std::size_t bytes) : bytes_(roundedToPage(bytes)) {
   data_ = memory;
 #ifdef MADV_HUGEPAGE
   // Rays visit nodes all over the tree: fewer, larger pages spare look-ups of addresses.
-  if (bytes_ >= 2 * kHugePage) madvise(memory, bytes_, MADV_HUGEPAGE);
+  if (pages == Pages::large && bytes_ >= 2 * kHugePage) madvise(memory, bytes_, MADV_HUGEPAGE);
+#else
+  (void)pages;
 #endif
 }
 
@@ -39,4 +41,10 @@ void PageBuffer::shrink(std::size_t bytes) {
   munmap(static_cast<char*>(data_) + kept, bytes_ - kept);
   bytes_ = kept;
   if (kept == 0) data_ = nullptr;
+}
+
+void PageBuffer::discard(std::size_t begin, std::size_t end) {
+  const std::size_t page = std::size_t(sysconf(_SC_PAGESIZE));
+  const std::size_t from = roundedToPage(begin), to = end / page * page;
+  if (data_ && from < to) madvise(static_cast<char*>(data_) + from, to - from, MADV_DONTNEED);
 }

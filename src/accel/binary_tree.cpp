@@ -1,0 +1,172 @@
+// BinaryTree: large ranges are divided by all threads together, the others are tasks for one each.
+#include "accel/binary_tree.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "accel/divide.h"
+#include "accel/parallel.h"
+
+namespace accel {
+namespace {
+
+/// Smaller ranges are not worth a second thread.
+constexpr std::size_t kLeastShared = 8192;
+/// Tasks for each thread: enough that none waits long for the last one.
+constexpr std::size_t kTasksPerThread = 8;
+
+/// The plan of nodes above the tasks until these are done; no other plan has this bit.
+constexpr std::uint32_t kTopPlan = 0x40000000u;
+
+std::size_t mostInTask(std::size_t count, int threads) {
+  return threads == 1 ? count
+                      : std::max(count / (std::size_t(threads) * kTasksPerThread), kLeastShared);
+}
+
+/// Every item has room for two nodes; above the tasks a level has at most one node for each
+/// mostInTask items.
+std::size_t nodesFor(std::size_t count, int threads) {
+  return 2 * count + 1 + 2 * std::size_t(kMostSplits) * (count / mostInTask(count, threads) + 1);
+}
+
+void setBox(BinaryNode& node, const Box4& box) {
+  // The fourth lanes land in `children` and `plan`, which are written later.
+  box.low.store(node.low);
+  box.high.store(node.high);
+}
+
+/// What a node costs beyond its surface, for its memory: so small that the expected visits stay
+/// the same within 0.1 %, it saves 4 % of the nodes. Where surfaces vanish, the fewest nodes win.
+float memoryPrice(const Box4& whole, std::size_t count) {
+  return 20 * halfArea(whole) / float(count) + 0x1p-100f;
+}
+
+Box4 boxOf(const BinaryNode& node) { return {Float4::load(node.low), Float4::load(node.high)}; }
+
+}  // namespace
+
+/// Builds one range with one thread.
+class BinaryTree::Subtree {
+ public:
+  Subtree(BinaryTree& tree, std::size_t firstItem)
+      : nodes_(tree.nodes()),
+        next_(std::uint32_t(2 * firstItem + 1)),
+        uniform_(tree.uniform_),
+        memoryPrice_(tree.memoryPrice_) {}
+
+  /// The depth of recursion is at most kMostSplits.
+  GatherCost build(const BuildRange& range, std::uint32_t index) {
+    BinaryNode& node = nodes_[index];
+    setBox(node, range.box);
+    if (fitsLeaf(range, uniform_)) {
+      node.plan = GatherPlan::leaf(range.count);
+      ++leaves_;
+      return GatherCost::ofLeaf(halfArea(range.box));
+    }
+    assert(range.splits < kMostSplits);
+    BuildRange left, right;
+    divide(range, uniform_, 1, left, right);
+    const std::uint32_t pair = next_;
+    next_ += 2;
+    node.children = pair;
+    const GatherCost first = build(left, pair), second = build(right, pair + 1);
+    std::uint32_t plan;
+    const GatherCost cost =
+        GatherCost::ofNode(halfArea(range.box) + memoryPrice_, first, second, plan);
+    node.plan = plan;
+    return cost;
+  }
+  std::size_t leaves() const { return leaves_; }
+
+ private:
+  BinaryNode* nodes_;
+  std::uint32_t next_;
+  const bool uniform_;
+  const float memoryPrice_;
+  std::size_t leaves_ = 0;
+};
+
+BinaryTree::BinaryTree(BuildItem* items, std::size_t count, int threads)
+    : memory_(nodesFor(count, threads) * sizeof(BinaryNode), PageBuffer::Pages::small),
+      items_(items),
+      threads_(threads),
+      mostInTask_(mostInTask(count, threads)),
+      nextTop_(std::uint32_t(2 * count + 1)) {
+  const BuildRange whole = wholeRange(items, count);
+  memoryPrice_ = memoryPrice(whole.box, count);
+  if (count <= mostInTask_) {
+    Subtree subtree(*this, 0);
+    subtree.build(whole, kRoot);
+    leafCount_ = subtree.leaves();
+    return;
+  }
+  splitTop(whole, kRoot);
+  runTasks();
+  std::size_t task = 0;
+  finishTop(kRoot, task);
+  for (const Task& done : tasks_) leafCount_ += done.leaves;
+}
+
+BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
+  constexpr std::size_t kChunk = 65536;
+  const std::size_t chunks = (count + kChunk - 1) / kChunk;
+  std::vector<BuildRange> parts(chunks);
+  std::vector<char> uniform(chunks);
+  forEachIndex(threads_, chunks, [&](int, std::size_t i) {
+    BuildItem* first = items + i * kChunk;
+    const std::size_t size = std::min(kChunk, count - i * kChunk);
+    parts[i] = rangeOf(first, size, 0);
+    uniform[i] = std::all_of(first, first + size,
+                             [&](const BuildItem& item) { return item.kind == items[0].kind; });
+  });
+  BuildRange whole{items, count, Box4::empty(), Box4::empty(), 0};
+  for (std::size_t i = 0; i < chunks; ++i) {
+    whole.box.extend(parts[i].box);
+    whole.centers.extend(parts[i].centers);
+    uniform_ = uniform_ && uniform[i] != 0;
+  }
+  return whole;
+}
+
+void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index) {
+  BinaryNode& node = nodes()[index];
+  if (range.count <= mostInTask_) {
+    tasks_.push_back({range, index, {}, 0});
+    return;
+  }
+  BuildRange left, right;
+  divide(range, uniform_, threads_, left, right);
+  setBox(node, range.box);
+  node.children = nextTop_;
+  node.plan = kTopPlan;
+  nextTop_ += 2;
+  splitTop(left, node.children);
+  splitTop(right, node.children + 1);
+}
+
+void BinaryTree::runTasks() {
+  std::vector<Task*> bySize;
+  for (Task& task : tasks_) bySize.push_back(&task);
+  std::sort(bySize.begin(), bySize.end(),
+            [](const Task* a, const Task* b) { return a->range.count > b->range.count; });
+  forEachIndex(threads_, bySize.size(), [&](int, std::size_t i) {
+    Task& task = *bySize[i];
+    Subtree subtree(*this, std::size_t(task.range.first - items_));
+    task.cost = subtree.build(task.range, task.node);
+    task.leaves = subtree.leaves();
+  });
+}
+
+GatherCost BinaryTree::finishTop(std::uint32_t index, std::size_t& task) {
+  BinaryNode& node = nodes()[index];
+  if (node.plan != kTopPlan) return tasks_[task++].cost;  // tasks are in the order of the walk
+  const GatherCost first = finishTop(node.children, task);
+  const GatherCost second = finishTop(node.children + 1, task);
+  std::uint32_t plan;
+  const GatherCost cost =
+      GatherCost::ofNode(halfArea(boxOf(node)) + memoryPrice_, first, second, plan);
+  node.plan = plan;
+  return cost;
+}
+
+}  // namespace accel
