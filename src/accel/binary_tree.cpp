@@ -11,7 +11,7 @@ namespace accel {
 namespace {
 
 /// Smaller ranges are not worth a second thread.
-constexpr std::size_t kLeastShared = 8192;
+constexpr std::size_t kLeastShared = 16384;
 /// Tasks for each thread: enough that none waits long for the last one.
 constexpr std::size_t kTasksPerThread = 8;
 

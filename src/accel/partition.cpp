@@ -10,7 +10,7 @@ namespace accel {
 namespace {
 
 /// Large ranges are partitioned in chunks of so many items, whatever the number of threads.
-constexpr std::size_t kChunk = 65536;
+constexpr std::size_t kChunk = 16384;
 
 /// Items in a gap. Reading so many before the next decision where to read hides its latency.
 constexpr std::size_t kGap = 16;

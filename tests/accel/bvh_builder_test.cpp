@@ -219,7 +219,7 @@ TEST("sizes over all that floats hold, nested boxes and flat ones build to a bou
 }
 
 TEST("the tree is the same, byte for byte, for 1, 2 and 5 threads") {
-  // 300,000 items are divided by all threads together at the top, and in chunks of 65,536.
+  // 300,000 items are divided by all threads together at the top, and in chunks.
   for (const std::size_t count : {std::size_t(100), std::size_t(20000), std::size_t(300000)}) {
     const std::vector<BuildItem> items = randomItems(count, count);
     const WideBvh one = treeOf(items, 1);
