@@ -17,8 +17,8 @@ namespace {
 
 static_assert(kMostSplits < kMostLevels, "a walk's stack is deep enough for any tree");
 
-/// Leaves that are written in one go, by one thread.
-constexpr std::size_t kLeavesPerRun = 8192;
+/// Leaves that are written in one go, by one thread, before the memory of their items is returned.
+constexpr std::size_t kLeavesPerRun = 2048;
 
 struct LeafRun {
   std::size_t firstItem, firstLeaf, firstWord;

@@ -86,7 +86,9 @@ void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::
     if ((early[i].begin += count) == early[i].end) ++i;
     if ((late[j].begin += count) == late[j].end) ++j;
   }
-  forEachIndex(threads, exchanges.size(), [&](int, std::size_t i) {
+  // Starting threads costs as much as exchanging thousands of items.
+  const int workers = exchanges.size() < 8 ? 1 : threads;
+  forEachIndex(workers, exchanges.size(), [&](int, std::size_t i) {
     const Exchange& e = exchanges[i];
     std::swap_ranges(items + e.a, items + e.a + e.count, items + e.b);
   });
