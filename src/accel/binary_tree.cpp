@@ -112,7 +112,7 @@ BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
   const std::size_t chunks = (count + kChunk - 1) / kChunk;
   std::vector<BuildRange> parts(chunks);
   std::vector<char> uniform(chunks);
-  forEachIndex(threads_, chunks, [&](int, std::size_t i) {
+  forEachIndex(threadsForShort(threads_, chunks), chunks, [&](int, std::size_t i) {
     BuildItem* first = items + i * kChunk;
     const std::size_t size = std::min(kChunk, count - i * kChunk);
     parts[i] = rangeOf(first, size, 0);

@@ -24,4 +24,8 @@ void forEachIndex(int threads, std::size_t count, const Work& work) {
   });
 }
 
+/// How many threads pay for `count` short pieces of work: starting one takes as long as a few, and
+/// much longer on a busy machine.
+inline int threadsForShort(int threads, std::size_t count) { return count < 4 ? 1 : threads; }
+
 }  // namespace accel

@@ -86,12 +86,11 @@ void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::
     if ((early[i].begin += count) == early[i].end) ++i;
     if ((late[j].begin += count) == late[j].end) ++j;
   }
-  // Starting threads costs as much as exchanging thousands of items.
-  const int workers = exchanges.size() < 8 ? 1 : threads;
-  forEachIndex(workers, exchanges.size(), [&](int, std::size_t i) {
-    const Exchange& e = exchanges[i];
-    std::swap_ranges(items + e.a, items + e.a + e.count, items + e.b);
-  });
+  forEachIndex(threadsForShort(threads, exchanges.size() / 2), exchanges.size(),
+               [&](int, std::size_t i) {
+                 const Exchange& e = exchanges[i];
+                 std::swap_ranges(items + e.a, items + e.a + e.count, items + e.b);
+               });
 }
 
 template <bool kMeasure>
@@ -136,7 +135,7 @@ Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& spli
   const std::size_t chunkCount = (count + kChunk - 1) / kChunk;
   std::vector<Chunk> chunks(chunkCount);
   std::vector<Sides> sides(chunkCount);
-  forEachIndex(threads, chunkCount, [&](int, std::size_t i) {
+  forEachIndex(threadsForShort(threads, chunkCount), chunkCount, [&](int, std::size_t i) {
     const std::size_t begin = i * kChunk, end = std::min(begin + kChunk, count);
     sides[i] = partitionChunk<true>(items + begin, end - begin, split);
     chunks[i] = {begin, begin + sides[i].leftCount, end};
