@@ -174,7 +174,9 @@ void Space::finish(int threads) {
   }
   boxes = {};
   inTree = {};
-  buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), threads);
+  Team::run(threads, items.count(), [&](Team& team) {
+    buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), team);
+  });
 }
 
 }  // namespace accel
