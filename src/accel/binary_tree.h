@@ -4,10 +4,7 @@
 
 #include "accel/build_range.h"
 #include "accel/gather_cost.h"
-<<<<<<< HEAD
-=======
 #include "accel/parallel.h"
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
 namespace accel {
 
@@ -23,11 +20,7 @@ class BinaryTree {
  public:
   /// Builds the tree over `count` >= 1 items, which are reordered: in the tree's order of leaves
   /// they are then one behind the other.
-<<<<<<< HEAD
-  BinaryTree(BuildItem* items, std::size_t count, int threads);
-=======
   BinaryTree(BuildItem* items, std::size_t count, Team& team);
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
   static constexpr std::uint32_t kRoot = 0;
   const BinaryNode& node(std::uint32_t index) const { return nodes()[index]; }
@@ -53,11 +46,7 @@ class BinaryTree {
 
   PageBuffer memory_;  ///< BinaryNodes; each range of items has a stretch of its own
   const BuildItem* items_;
-<<<<<<< HEAD
-  int threads_;
-=======
   Team& team_;
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
   std::size_t mostInTask_;
   std::uint32_t nextTop_;
   bool uniform_ = true;

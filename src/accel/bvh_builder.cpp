@@ -135,21 +135,13 @@ std::uint32_t leafHead(float edge, LeafKind kind, int count) {
   return ((bits + 0xff) & ~0xffu) | std::uint32_t(kind) << 4 | std::uint32_t(count);
 }
 
-<<<<<<< HEAD
-void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int threads) {
-=======
 void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team& team) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
   if (items.count() == 0) return;
   if (items.count() > kMostItems) throw std::length_error("too many primitives for one tree");
   std::vector<std::uint8_t> sizes;
   std::vector<LeafRun> runs;
   {
-<<<<<<< HEAD
-    const BinaryTree tree(items.data(), items.count(), threads);
-=======
     const BinaryTree tree(items.data(), items.count(), team);
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     setBox(bvh, tree.node(BinaryTree::kRoot));
     const Gatherer gatherer(tree, items.data(), bvh);
     sizes = gatherer.sizes();
@@ -157,11 +149,7 @@ void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team
   }
   bvh.leaves = PageBuffer((bvh.leafWords + kWidth) * sizeof(std::uint32_t));
   std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
-<<<<<<< HEAD
-  forEachIndex(threads, runs.size() - 1, [&](int, std::size_t i) {
-=======
   team.forEachIndex(runs.size() - 1, [&](std::size_t i) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     const LeafRun &run = runs[i], &next = runs[i + 1];
     writer.write(items.data() + run.firstItem, sizes.data() + run.firstLeaf,
                  next.firstLeaf - run.firstLeaf, words + run.firstWord);

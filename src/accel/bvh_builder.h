@@ -65,10 +65,6 @@ constexpr std::size_t kMostItems = 0x7fffff00u / 11;
 /// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 /// 2017.
-<<<<<<< HEAD
-void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int threads);
-=======
 void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team& team);
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
 }  // namespace accel

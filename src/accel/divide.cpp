@@ -58,11 +58,7 @@ bool fitsLeaf(const BuildRange& range, bool uniform) {
                      [&](const BuildItem& item) { return item.kind == range.first->kind; });
 }
 
-<<<<<<< HEAD
-void divide(const BuildRange& range, bool uniform, int threads, BuildRange& left,
-=======
 void divide(const BuildRange& range, bool uniform, Team& team, BuildRange& left,
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
             BuildRange& right) {
   const int splits = range.splits + 1;
   const std::size_t step = sampleStep(range.count);
@@ -71,11 +67,7 @@ void divide(const BuildRange& range, bool uniform, Team& team, BuildRange& left,
   if (split.axis >= 0) {
     // Boxes come from the bins or, where these have not seen all items, from the partition.
     const Sides sides = step == 1 ? partition(range.first, range.count, split)
-<<<<<<< HEAD
-                                  : partitionAndMeasure(range.first, range.count, split, threads);
-=======
                                   : partitionAndMeasure(range.first, range.count, split, team);
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     left = {range.first, sides.leftCount, sides.left, sides.leftCenters, splits};
     right = {range.first + sides.leftCount, range.count - sides.leftCount, sides.right,
              sides.rightCenters, splits};

@@ -76,32 +76,14 @@ constexpr std::size_t kChunk = 32768;
 
 /// Calls work(chunk, begin, end) for chunks of [0, count).
 template <class Work>
-<<<<<<< HEAD
-void forEachChunk(int threads, std::size_t count, const Work& work) {
-  forEachIndex(threads, (count + kChunk - 1) / kChunk, [&](int, std::size_t chunk) {
-=======
 void forEachChunk(Team& team, std::size_t count, const Work& work) {
   team.forEachIndex((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
   });
 }
 
 Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
-<<<<<<< HEAD
-BoundingBox boxOf(const std::vector<Vec3f>& vertices, int threads) {
-  std::vector<BoundingBox> boxes(vertices.size() / kChunk + 1);
-  forEachChunk(threads, vertices.size(),
-               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 Box4 box = Box4::empty();
-                 for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
-                 float low[4], high[4];
-                 box.low.store(low);
-                 box.high.store(high);
-                 boxes[chunk] = {Vec3d(low[0], low[1], low[2]), Vec3d(high[0], high[1], high[2])};
-               });
-=======
 BoundingBox boxOf(const std::vector<Vec3f>& vertices, Team& team) {
   std::vector<BoundingBox> boxes(vertices.size() / kChunk + 1);
   forEachChunk(team, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -112,24 +94,11 @@ BoundingBox boxOf(const std::vector<Vec3f>& vertices, Team& team) {
     box.high.store(high);
     boxes[chunk] = {Vec3d(low[0], low[1], low[2]), Vec3d(high[0], high[1], high[2])};
   });
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
   for (const BoundingBox& box : boxes) boxes[0].extend(box);
   return boxes[0];
 }
 
 /// True where scaling loses no digit.
-<<<<<<< HEAD
-bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, int threads) {
-  std::vector<char> exact(vertices.size() / kChunk + 1, 1);
-  forEachChunk(threads, vertices.size(),
-               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 bool same = true;
-                 for (std::size_t i = begin; i < end; ++i) {
-                   same = same && vertices[i] * scale * (1 / scale) == vertices[i];
-                 }
-                 exact[chunk] = same ? 1 : 0;
-               });
-=======
 bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, Team& team) {
   std::vector<char> exact(vertices.size() / kChunk + 1, 1);
   forEachChunk(team, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -139,7 +108,6 @@ bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, Team& team) 
     }
     exact[chunk] = same ? 1 : 0;
   });
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
   return std::all_of(exact.begin(), exact.end(), [](char same) { return same != 0; });
 }
 
@@ -170,19 +138,11 @@ BuildItem* appendItems(const MeshGeometry& geometry, float scale, std::size_t be
   return item;
 }
 
-<<<<<<< HEAD
-BuildItems itemsOf(const MeshGeometry& geometry, float scale, int threads) {
-  const std::size_t faces = geometry.faceCount();
-  BuildItems items(faces);
-  std::vector<std::size_t> counts(faces / kChunk + 1);
-  forEachChunk(threads, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-=======
 BuildItems itemsOf(const MeshGeometry& geometry, float scale, Team& team) {
   const std::size_t faces = geometry.faceCount();
   BuildItems items(faces);
   std::vector<std::size_t> counts(faces / kChunk + 1);
   forEachChunk(team, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     BuildItem* first = items.data() + begin;
     counts[chunk] = std::size_t(appendItems(geometry, scale, begin, end, first) - first);
   });
@@ -199,19 +159,12 @@ BuildItems itemsOf(const MeshGeometry& geometry, float scale, Team& team) {
 }  // namespace
 
 MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geometry) {
-<<<<<<< HEAD
-  const float scale = scaleFor(boxOf(geometry.getVertices(), threads));
-  bvh_.scale = scale;
-  exact_ = scalesExactly(geometry.getVertices(), scale, threads);
-  buildWideBvh(bvh_, itemsOf(geometry, scale, threads), MeshLeafWriter(geometry, scale), threads);
-=======
   Team::run(threads, geometry.faceCount(), [&](Team& team) {
     const float scale = scaleFor(boxOf(geometry.getVertices(), team));
     bvh_.scale = scale;
     exact_ = scalesExactly(geometry.getVertices(), scale, team);
     buildWideBvh(bvh_, itemsOf(geometry, scale, team), MeshLeafWriter(geometry, scale), team);
   });
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 }
 
 Vec3d MeshTree::low() const { return Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale; }

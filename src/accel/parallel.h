@@ -1,10 +1,3 @@
-<<<<<<< HEAD
-// Work shared out by index, for the builder.
-#pragma once
-#include <algorithm>
-#include <atomic>
-#include <cstddef>
-=======
 // Team: the threads of one build. They are started once: a build has dozens of short parallel
 // steps.
 #pragma once
@@ -16,29 +9,11 @@
 #include <functional>
 #include <mutex>
 #include <utility>
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
 #include "system/worker_threads.h"
 
 namespace accel {
 
-<<<<<<< HEAD
-/// Calls work(worker, index) for every index below `count`, in ascending order of their starts, on
-/// up to `threads` threads; 0 <= worker < threads. With one thread or one index, on this one.
-template <class Work>
-void forEachIndex(int threads, std::size_t count, const Work& work) {
-  constexpr std::size_t kStackBytes = 1 << 20;
-  const int workers = int(std::min(std::size_t(threads), count));
-  if (workers <= 1) {
-    for (std::size_t index = 0; index < count; ++index) work(0, index);
-    return;
-  }
-  std::atomic<std::size_t> next{0};
-  runOnThreads(workers, kStackBytes, [&](int worker) {
-    for (std::size_t index; (index = next++) < count;) work(worker, index);
-  });
-}
-=======
 class Team {
  public:
   /// A team of one: everything is done by the caller.
@@ -72,6 +47,5 @@ class Team {
   bool ended_ = false;
   std::exception_ptr failure_;
 };
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
 }  // namespace accel

@@ -4,11 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-<<<<<<< HEAD
-#include "accel/parallel.h"
-
-=======
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 namespace accel {
 namespace {
 
@@ -70,11 +65,7 @@ struct Run {
 
 /// Exchanges the right items in front of `middle` with the left ones behind it.
 void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::size_t middle,
-<<<<<<< HEAD
-                       int threads) {
-=======
                        Team& team) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
   std::vector<Run> early, late;
   for (const Chunk& chunk : chunks) {
     const Run right{chunk.middle, std::min(chunk.end, middle)};
@@ -93,13 +84,7 @@ void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::
     if ((early[i].begin += count) == early[i].end) ++i;
     if ((late[j].begin += count) == late[j].end) ++j;
   }
-<<<<<<< HEAD
-  // Starting threads costs as much as exchanging thousands of items.
-  const int workers = exchanges.size() < 8 ? 1 : threads;
-  forEachIndex(workers, exchanges.size(), [&](int, std::size_t i) {
-=======
   team.forEachIndex(exchanges.size(), [&](std::size_t i) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     const Exchange& e = exchanges[i];
     std::swap_ranges(items + e.a, items + e.a + e.count, items + e.b);
   });
@@ -143,19 +128,11 @@ Sides partition(BuildItem* items, std::size_t count, const Split& split) {
   return sides;
 }
 
-<<<<<<< HEAD
-Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, int threads) {
-  const std::size_t chunkCount = (count + kChunk - 1) / kChunk;
-  std::vector<Chunk> chunks(chunkCount);
-  std::vector<Sides> sides(chunkCount);
-  forEachIndex(threads, chunkCount, [&](int, std::size_t i) {
-=======
 Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, Team& team) {
   const std::size_t chunkCount = (count + kChunk - 1) / kChunk;
   std::vector<Chunk> chunks(chunkCount);
   std::vector<Sides> sides(chunkCount);
   team.forEachIndex(chunkCount, [&](std::size_t i) {
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
     const std::size_t begin = i * kChunk, end = std::min(begin + kChunk, count);
     sides[i] = partitionChunk<true>(items + begin, end - begin, split);
     chunks[i] = {begin, begin + sides[i].leftCount, end};
@@ -168,11 +145,7 @@ Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& spli
     all.leftCenters.extend(part.leftCenters);
     all.rightCenters.extend(part.rightCenters);
   }
-<<<<<<< HEAD
-  exchangeMisplaced(items, chunks, all.leftCount, threads);
-=======
   exchangeMisplaced(items, chunks, all.leftCount, team);
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
   return all;
 }
 

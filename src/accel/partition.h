@@ -2,10 +2,7 @@
 // items alone, never on the number of threads.
 #pragma once
 #include "accel/bins.h"
-<<<<<<< HEAD
-=======
 #include "accel/parallel.h"
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
 namespace accel {
 
@@ -19,12 +16,7 @@ struct Sides {
 /// Partitions `count` items with one thread; the boxes are those that `split` says.
 Sides partition(BuildItem* items, std::size_t count, const Split& split);
 
-<<<<<<< HEAD
-/// The same with up to `threads` threads; the boxes are measured on the way.
-Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, int threads);
-=======
 /// The same with all threads of `team`; the boxes are measured on the way.
 Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, Team& team);
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 
 }  // namespace accel

@@ -174,13 +174,9 @@ void Space::finish(int threads) {
   }
   boxes = {};
   inTree = {};
-<<<<<<< HEAD
-  buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), threads);
-=======
   Team::run(threads, items.count(), [&](Team& team) {
     buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), team);
   });
->>>>>>> dffe307b3992f29e03742783cc5958ccd9c6e64d
 }
 
 }  // namespace accel
