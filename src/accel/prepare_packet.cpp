@@ -75,7 +75,7 @@ bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
     for (int i = 0; i < beam.count; ++i) {
       steepest = std::max(steepest, std::fabs(packet.direction[axis][i]));
     }
-    const double pad = 8 * kRounding * (reach + 1);
+    const double pad = 8 * kRounding * (reach + 1 + maxAbs(point));
     const double widened = packet.direction[axis][0] < 0 ? -pad : pad;
     packet.originHigh[axis] = float(point[axis]);
     packet.originLow[axis] = float(point[axis] - double(packet.originHigh[axis]));
