@@ -1,5 +1,7 @@
 // Batches of rays in a mesh's tree: packets where the rays pass one point, single rays elsewhere.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
@@ -16,6 +18,7 @@ constexpr int kFewRays = 8;
 /// The beam of rays from one point; false where they do not start from one.
 bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& beam) {
   beam.point = rays[0].getOrigin();
+  beam.spread = 0;
   beam.count = count;
   for (int i = 0; i < count; ++i) {
     if (rays[i].getOrigin() != beam.point) return false;
@@ -30,14 +33,17 @@ bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& b
 bool beamOfShadows(const ShadowQuery* queries, int count, Beam& beam) {
   const ShadowQuery& first = queries[0];
   beam.point = first.ray.pointAtParameter(first.tmax);
+  beam.spread = 0;
   beam.count = count;
   for (int i = 0; i < count; ++i) {
     const ShadowQuery& query = queries[i];
     const Vec3d& origin = query.ray.getOrigin();
     const Vec3d& direction = query.ray.getDirection();
     const double largest = std::max(maxAbs(origin), query.tmax * maxAbs(direction));
-    const Vec3d end = query.ray.pointAtParameter(query.tmax);
-    if (!(maxAbs(end - beam.point) <= largest * 0x1p-48)) return false;
+    if (!(largest <= std::numeric_limits<double>::max())) return false;  // a lamp at no place
+    const double distance = maxAbs(query.ray.pointAtParameter(query.tmax) - beam.point);
+    if (!(distance <= largest * 0x1p-48)) return false;
+    beam.spread = std::max(beam.spread, distance + largest * 0x1p-51);  // and its rounding
     beam.directions[i] = direction;
     beam.tmin[i] = query.tmin - query.tmax;
     beam.tmax[i] = 0;

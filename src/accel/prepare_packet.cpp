@@ -69,7 +69,10 @@ bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
         {reach, std::fabs(bvh.low[axis] - point[axis]), std::fabs(bvh.high[axis] - point[axis])});
   }
   if (!(reach < kFarthest)) return false;
-  reach = (reach + maxAbs(point) * 0x1p-28) * (1 + 8 * kRounding);
+  // The error bounds are 64 e times the reach: this one allows for eight times the spread.
+  const double spread = beam.spread * bvh.scale / (8 * kRounding);
+  if (!(spread < kFarthest)) return false;
+  reach = (reach + maxAbs(point) * 0x1p-28 + spread) * (1 + 8 * kRounding);
   float steepest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < beam.count; ++i) {

@@ -9,6 +9,7 @@ namespace accel {
 /// tmin[i] to tmax[i] counts, measured from the point in lengths of the direction.
 struct Beam {
   Vec3d point;
+  double spread;  ///< every line passes the point at no more than this distance, along any axis
   int count;
   Vec3d directions[RayPacket::kMostRays];
   double tmin[RayPacket::kMostRays], tmax[RayPacket::kMostRays];

@@ -191,6 +191,7 @@ class RandomScene {
     const Matrix matrix = Matrix::translation(center_ + random_.inCube(-0.5, 0.5) * size_) *
                           Matrix::rotation(random_.unitVector(), random_.uniform(0, 360)) *
                           Matrix::scale(factors) * toOrigin;
+    last_ = nullptr;  // an object stands in one space only, or a ray could not say which it leaves
     return &owner_.make<Transform>(matrix, object(toWorld * matrix, depth + 1));
   }
   double factor() {
