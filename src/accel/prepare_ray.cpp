@@ -124,7 +124,8 @@ bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax, Tr
     r.direction[axis] = float(direction[axis]);
   }
   reach = (reach + far * 0x1p-28) * (1 + 8 * kRounding);
-  setBoxTest(r, float(24 * kRounding * (reach + 1)));
+  // A mesh has no anchor: its coordinates, and so their rounding, may be larger than its size.
+  setBoxTest(r, float(24 * kRounding * (reach + 1 + maxAbs(origin))));
   r.nodes = bvh.root();
   r.leaves = bvh.words();
   r.reach = float(reach);
