@@ -130,8 +130,10 @@ void setBox(WideBvh& bvh, const BinaryNode& root) {
 }  // namespace
 
 std::uint32_t leafHead(float edge, LeafKind kind, int count) {
+  // Not so small that its square could underflow: infinity times it must not be NaN.
+  const float bound = std::max(edge, 0x1p-40f);
   std::uint32_t bits;
-  std::memcpy(&bits, &edge, sizeof bits);
+  std::memcpy(&bits, &bound, sizeof bits);
   return ((bits + 0xff) & ~0xffu) | std::uint32_t(kind) << 4 | std::uint32_t(count);
 }
 
