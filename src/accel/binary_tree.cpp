@@ -10,8 +10,6 @@
 namespace accel {
 namespace {
 
-/// Smaller ranges are not worth a second thread.
-constexpr std::size_t kLeastShared = 16384;
 /// Tasks for each thread: enough that none waits long for the last one.
 constexpr std::size_t kTasksPerThread = 8;
 
@@ -19,8 +17,9 @@ constexpr std::size_t kTasksPerThread = 8;
 constexpr std::uint32_t kTopPlan = 0x40000000u;
 
 std::size_t mostInTask(std::size_t count, int threads) {
-  return threads == 1 ? count
-                      : std::max(count / (std::size_t(threads) * kTasksPerThread), kLeastShared);
+  return threads == 1
+             ? count
+             : std::max(count / (std::size_t(threads) * kTasksPerThread), Team::kLeastShared);
 }
 
 /// Every item has room for two nodes; above the tasks a level has at most one node for each
@@ -65,7 +64,7 @@ class BinaryTree::Subtree {
     }
     assert(range.splits < kMostSplits);
     BuildRange left, right;
-    divide(range, uniform_, 1, left, right);
+    divide(range, uniform_, alone_, left, right);
     const std::uint32_t pair = next_;
     next_ += 2;
     node.children = pair;
@@ -83,14 +82,15 @@ class BinaryTree::Subtree {
   std::uint32_t next_;
   const bool uniform_;
   const float memoryPrice_;
+  Team alone_;
   std::size_t leaves_ = 0;
 };
 
-BinaryTree::BinaryTree(BuildItem* items, std::size_t count, int threads)
-    : memory_(nodesFor(count, threads) * sizeof(BinaryNode), PageBuffer::Pages::small),
+BinaryTree::BinaryTree(BuildItem* items, std::size_t count, Team& team)
+    : memory_(nodesFor(count, team.threads()) * sizeof(BinaryNode), PageBuffer::Pages::small),
       items_(items),
-      threads_(threads),
-      mostInTask_(mostInTask(count, threads)),
+      team_(team),
+      mostInTask_(mostInTask(count, team.threads())),
       nextTop_(std::uint32_t(2 * count + 1)) {
   const BuildRange whole = wholeRange(items, count);
   memoryPrice_ = memoryPrice(whole.box, count);
@@ -112,7 +112,7 @@ BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
   const std::size_t chunks = (count + kChunk - 1) / kChunk;
   std::vector<BuildRange> parts(chunks);
   std::vector<char> uniform(chunks);
-  forEachIndex(threads_, chunks, [&](int, std::size_t i) {
+  team_.forEachIndex(chunks, [&](std::size_t i) {
     BuildItem* first = items + i * kChunk;
     const std::size_t size = std::min(kChunk, count - i * kChunk);
     parts[i] = rangeOf(first, size, 0);
@@ -135,7 +135,7 @@ void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index) {
     return;
   }
   BuildRange left, right;
-  divide(range, uniform_, threads_, left, right);
+  divide(range, uniform_, team_, left, right);
   setBox(node, range.box);
   node.children = nextTop_;
   node.plan = kTopPlan;
@@ -149,7 +149,7 @@ void BinaryTree::runTasks() {
   for (Task& task : tasks_) bySize.push_back(&task);
   std::sort(bySize.begin(), bySize.end(),
             [](const Task* a, const Task* b) { return a->range.count > b->range.count; });
-  forEachIndex(threads_, bySize.size(), [&](int, std::size_t i) {
+  team_.forEachIndex(bySize.size(), [&](std::size_t i) {
     Task& task = *bySize[i];
     Subtree subtree(*this, std::size_t(task.range.first - items_));
     task.cost = subtree.build(task.range, task.node);

@@ -4,6 +4,7 @@
 
 #include "accel/build_range.h"
 #include "accel/gather_cost.h"
+#include "accel/parallel.h"
 
 namespace accel {
 
@@ -19,7 +20,7 @@ class BinaryTree {
  public:
   /// Builds the tree over `count` >= 1 items, which are reordered: in the tree's order of leaves
   /// they are then one behind the other.
-  BinaryTree(BuildItem* items, std::size_t count, int threads);
+  BinaryTree(BuildItem* items, std::size_t count, Team& team);
 
   static constexpr std::uint32_t kRoot = 0;
   const BinaryNode& node(std::uint32_t index) const { return nodes()[index]; }
@@ -45,7 +46,7 @@ class BinaryTree {
 
   PageBuffer memory_;  ///< BinaryNodes; each range of items has a stretch of its own
   const BuildItem* items_;
-  int threads_;
+  Team& team_;
   std::size_t mostInTask_;
   std::uint32_t nextTop_;
   bool uniform_ = true;

@@ -130,18 +130,20 @@ void setBox(WideBvh& bvh, const BinaryNode& root) {
 }  // namespace
 
 std::uint32_t leafHead(float edge, LeafKind kind, int count) {
+  // Not so small that its square could underflow: infinity times it must not be NaN.
+  const float bound = std::max(edge, 0x1p-40f);
   std::uint32_t bits;
-  std::memcpy(&bits, &edge, sizeof bits);
+  std::memcpy(&bits, &bound, sizeof bits);
   return ((bits + 0xff) & ~0xffu) | std::uint32_t(kind) << 4 | std::uint32_t(count);
 }
 
-void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int threads) {
+void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team& team) {
   if (items.count() == 0) return;
   if (items.count() > kMostItems) throw std::length_error("too many primitives for one tree");
   std::vector<std::uint8_t> sizes;
   std::vector<LeafRun> runs;
   {
-    const BinaryTree tree(items.data(), items.count(), threads);
+    const BinaryTree tree(items.data(), items.count(), team);
     setBox(bvh, tree.node(BinaryTree::kRoot));
     const Gatherer gatherer(tree, items.data(), bvh);
     sizes = gatherer.sizes();
@@ -149,7 +151,7 @@ void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int 
   }
   bvh.leaves = PageBuffer((bvh.leafWords + kWidth) * sizeof(std::uint32_t));
   std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
-  forEachIndex(threads, runs.size() - 1, [&](int, std::size_t i) {
+  team.forEachIndex(runs.size() - 1, [&](std::size_t i) {
     const LeafRun &run = runs[i], &next = runs[i + 1];
     writer.write(items.data() + run.firstItem, sizes.data() + run.firstLeaf,
                  next.firstLeaf - run.firstLeaf, words + run.firstWord);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "accel/parallel.h"
 #include "accel/wide_bvh.h"
 
 namespace accel {
@@ -64,6 +65,6 @@ constexpr std::size_t kMostItems = 0x7fffff00u / 11;
 /// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 /// 2017.
-void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, int threads);
+void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team& team);
 
 }  // namespace accel

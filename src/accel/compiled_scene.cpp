@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
 #include "accel/space.h"
@@ -40,7 +41,7 @@ struct CompiledScene::Content {
 
   /// Adds `object` and all below it to `space`. The depth of recursion is the scene's nesting.
   void add(Space& space, const Object3D* object) {
-    if (const auto* group = dynamic_cast<const Group*>(object)) {
+    if (const auto* group = accel::exactly<Group>(object)) {
       for (const Object3D* member : group->getObjects()) {
         if (member) add(space, member);
       }
@@ -49,9 +50,9 @@ struct CompiledScene::Content {
     Entry entry{};
     entry.object = object;
     entry.order = nextOrder++;
-    if (const auto* mesh = dynamic_cast<const TriangleMesh*>(object)) {
+    if (const auto* mesh = accel::exactly<TriangleMesh>(object)) {
       addMesh(entry, *mesh, Entry::Kind::mesh);
-    } else if (const auto* transform = dynamic_cast<const Transform*>(object)) {
+    } else if (const auto* transform = accel::exactly<Transform>(object)) {
       addTransform(entry, *transform);
     }
     space.add(entry);
@@ -65,9 +66,9 @@ struct CompiledScene::Content {
 
   void addTransform(Entry& entry, const Transform& transform) {
     const Object3D* inside = transform.getObject();
-    if (const auto* mesh = dynamic_cast<const TriangleMesh*>(inside)) {
+    if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
       addMesh(entry, *mesh, Entry::Kind::movedMesh);
-    } else if (dynamic_cast<const Group*>(inside) || dynamic_cast<const Transform*>(inside)) {
+    } else if (accel::exactly<Group>(inside) || accel::exactly<Transform>(inside)) {
       Space& space = spaces.emplace_back(kernels);
       add(space, inside);
       space.finish(threads);

@@ -58,7 +58,7 @@ bool fitsLeaf(const BuildRange& range, bool uniform) {
                      [&](const BuildItem& item) { return item.kind == range.first->kind; });
 }
 
-void divide(const BuildRange& range, bool uniform, int threads, BuildRange& left,
+void divide(const BuildRange& range, bool uniform, Team& team, BuildRange& left,
             BuildRange& right) {
   const int splits = range.splits + 1;
   const std::size_t step = sampleStep(range.count);
@@ -67,7 +67,7 @@ void divide(const BuildRange& range, bool uniform, int threads, BuildRange& left
   if (split.axis >= 0) {
     // Boxes come from the bins or, where these have not seen all items, from the partition.
     const Sides sides = step == 1 ? partition(range.first, range.count, split)
-                                  : partitionAndMeasure(range.first, range.count, split, threads);
+                                  : partitionAndMeasure(range.first, range.count, split, team);
     left = {range.first, sides.leftCount, sides.left, sides.leftCenters, splits};
     right = {range.first + sides.leftCount, range.count - sides.leftCount, sides.right,
              sides.rightCenters, splits};

@@ -1,13 +1,14 @@
 // Divide: one step of the builder, a range in two.
 #pragma once
 #include "accel/build_range.h"
+#include "accel/parallel.h"
 
 namespace accel {
 
 /// Divides a range of at least two items that cannot be one leaf. `uniform` says that all items of
-/// the tree are of one kind. Uses up to `threads` threads; the outcome does not depend on them.
-void divide(const BuildRange& range, bool uniform, int threads, BuildRange& left,
-            BuildRange& right);
+/// the tree are of one kind. Large ranges are divided by all threads of `team`; the outcome does
+/// not depend on their number.
+void divide(const BuildRange& range, bool uniform, Team& team, BuildRange& left, BuildRange& right);
 
 /// True where the range may be one leaf: few enough items, of one kind.
 bool fitsLeaf(const BuildRange& range, bool uniform);

@@ -1,6 +1,8 @@
 // Batches of rays in a mesh's tree: packets where the rays pass one point, single rays elsewhere.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
@@ -18,6 +20,7 @@ constexpr int kFewRays = 8;
 /// The beam of rays from one point; false where they do not start from one.
 bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& beam) {
   beam.point = rays[0].getOrigin();
+  beam.spread = 0;
   beam.count = count;
   bool together = true;
   for (int i = 0; i < count; ++i) {
@@ -36,14 +39,17 @@ bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& b
 bool beamOfShadows(const ShadowQuery* queries, int count, Beam& beam) {
   const ShadowQuery& first = queries[0];
   beam.point = first.ray.pointAtParameter(first.tmax);
+  beam.spread = 0;
   beam.count = count;
   bool together = true;
   for (int i = 0; i < count; ++i) {
     const ShadowQuery& query = queries[i];
     const Vec3d& direction = query.ray.getDirection();
     const double largest = std::max(maxAbs(query.ray.getOrigin()), query.tmax * maxAbs(direction));
-    const Vec3d end = query.ray.pointAtParameter(query.tmax);
-    together &= maxAbs(end - beam.point) <= largest * 0x1p-48;
+    const double distance = maxAbs(query.ray.pointAtParameter(query.tmax) - beam.point);
+    // A lamp at infinity is at no place.
+    together &= largest <= std::numeric_limits<double>::max() && distance <= largest * 0x1p-48;
+    beam.spread = std::max(beam.spread, distance + largest * 0x1p-51);  // and its rounding
     beam.direction[0][i] = direction.x();
     beam.direction[1][i] = direction.y();
     beam.direction[2][i] = direction.z();

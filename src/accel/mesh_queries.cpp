@@ -95,7 +95,9 @@ bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleM
                    std::uint32_t order, const Ray& ray, NearestQuery& query) {
   TraversalRay r;
   NearestInMesh self{{tree, mesh, ray, {}}, query, order};
-  if (!prepareRay(tree.bvh(), ray, query.tmin, query.t, r, self.time)) return false;
+  if (tree.bvh().isEmpty() || !prepareRay(tree.bvh(), ray, query.tmin, query.t, r, self.time)) {
+    return false;
+  }
   r.resolve = NearestInMesh::resolve;
   r.askObject = noObject;
   r.context = &self;
@@ -111,7 +113,9 @@ bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const Triangle
                     const Ray& ray, double tmin, double tmax) {
   TraversalRay r;
   OccludedByMesh self{{tree, mesh, ray, {}}, tmin, tmax};
-  if (!prepareRay(tree.bvh(), ray, tmin, tmax, r, self.time)) return false;
+  if (tree.bvh().isEmpty() || !prepareRay(tree.bvh(), ray, tmin, tmax, r, self.time)) {
+    return false;
+  }
   r.resolve = OccludedByMesh::resolve;
   r.askObject = noObject;
   r.context = &self;
@@ -123,7 +127,10 @@ void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const Tria
   TraversalRay r;
   TimeMap time;
   CrossingsOfMesh self{tree, mesh, ray, visitor};
-  if (!prepareRay(tree.bvh(), ray, 0, std::numeric_limits<double>::infinity(), r, time)) return;
+  if (tree.bvh().isEmpty() ||
+      !prepareRay(tree.bvh(), ray, 0, std::numeric_limits<double>::infinity(), r, time)) {
+    return;
+  }
   r.resolve = CrossingsOfMesh::resolve;
   r.askObject = noObject;
   r.context = &self;

@@ -76,40 +76,38 @@ constexpr std::size_t kChunk = 32768;
 
 /// Calls work(chunk, begin, end) for chunks of [0, count).
 template <class Work>
-void forEachChunk(int threads, std::size_t count, const Work& work) {
-  forEachIndex(threads, (count + kChunk - 1) / kChunk, [&](int, std::size_t chunk) {
+void forEachChunk(Team& team, std::size_t count, const Work& work) {
+  team.forEachIndex((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
     work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
   });
 }
 
 Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
-BoundingBox boxOf(const std::vector<Vec3f>& vertices, int threads) {
+BoundingBox boxOf(const std::vector<Vec3f>& vertices, Team& team) {
   std::vector<BoundingBox> boxes(vertices.size() / kChunk + 1);
-  forEachChunk(threads, vertices.size(),
-               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 Box4 box = Box4::empty();
-                 for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
-                 float low[4], high[4];
-                 box.low.store(low);
-                 box.high.store(high);
-                 boxes[chunk] = {Vec3d(low[0], low[1], low[2]), Vec3d(high[0], high[1], high[2])};
-               });
+  forEachChunk(team, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    Box4 box = Box4::empty();
+    for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
+    float low[4], high[4];
+    box.low.store(low);
+    box.high.store(high);
+    boxes[chunk] = {Vec3d(low[0], low[1], low[2]), Vec3d(high[0], high[1], high[2])};
+  });
   for (const BoundingBox& box : boxes) boxes[0].extend(box);
   return boxes[0];
 }
 
 /// True where scaling loses no digit.
-bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, int threads) {
+bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, Team& team) {
   std::vector<char> exact(vertices.size() / kChunk + 1, 1);
-  forEachChunk(threads, vertices.size(),
-               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                 bool same = true;
-                 for (std::size_t i = begin; i < end; ++i) {
-                   same = same && vertices[i] * scale * (1 / scale) == vertices[i];
-                 }
-                 exact[chunk] = same ? 1 : 0;
-               });
+  forEachChunk(team, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    bool same = true;
+    for (std::size_t i = begin; i < end; ++i) {
+      same = same && vertices[i] * scale * (1 / scale) == vertices[i];
+    }
+    exact[chunk] = same ? 1 : 0;
+  });
   return std::all_of(exact.begin(), exact.end(), [](char same) { return same != 0; });
 }
 
@@ -140,11 +138,11 @@ BuildItem* appendItems(const MeshGeometry& geometry, float scale, std::size_t be
   return item;
 }
 
-BuildItems itemsOf(const MeshGeometry& geometry, float scale, int threads) {
+BuildItems itemsOf(const MeshGeometry& geometry, float scale, Team& team) {
   const std::size_t faces = geometry.faceCount();
   BuildItems items(faces);
   std::vector<std::size_t> counts(faces / kChunk + 1);
-  forEachChunk(threads, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+  forEachChunk(team, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     BuildItem* first = items.data() + begin;
     counts[chunk] = std::size_t(appendItems(geometry, scale, begin, end, first) - first);
   });
@@ -161,10 +159,12 @@ BuildItems itemsOf(const MeshGeometry& geometry, float scale, int threads) {
 }  // namespace
 
 MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geometry) {
-  const float scale = scaleFor(boxOf(geometry.getVertices(), threads));
-  bvh_.scale = scale;
-  exact_ = scalesExactly(geometry.getVertices(), scale, threads);
-  buildWideBvh(bvh_, itemsOf(geometry, scale, threads), MeshLeafWriter(geometry, scale), threads);
+  Team::run(threads, geometry.faceCount(), [&](Team& team) {
+    const float scale = scaleFor(boxOf(geometry.getVertices(), team));
+    bvh_.scale = scale;
+    exact_ = scalesExactly(geometry.getVertices(), scale, team);
+    buildWideBvh(bvh_, itemsOf(geometry, scale, team), MeshLeafWriter(geometry, scale), team);
+  });
 }
 
 Vec3d MeshTree::low() const { return Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale; }

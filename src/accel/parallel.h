@@ -1,27 +1,51 @@
-// Work shared out by index, for the builder.
+// Team: the threads of one build. They are started once: a build has dozens of short parallel
+// steps.
 #pragma once
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <utility>
 
 #include "system/worker_threads.h"
 
 namespace accel {
 
-/// Calls work(worker, index) for every index below `count`, in ascending order of their starts, on
-/// up to `threads` threads; 0 <= worker < threads. With one thread or one index, on this one.
-template <class Work>
-void forEachIndex(int threads, std::size_t count, const Work& work) {
-  constexpr std::size_t kStackBytes = 1 << 20;
-  const int workers = int(std::min(std::size_t(threads), count));
-  if (workers <= 1) {
-    for (std::size_t index = 0; index < count; ++index) work(0, index);
-    return;
-  }
-  std::atomic<std::size_t> next{0};
-  runOnThreads(workers, kStackBytes, [&](int worker) {
-    for (std::size_t index; (index = next++) < count;) work(worker, index);
-  });
-}
+class Team {
+ public:
+  /// A team of one: everything is done by the caller.
+  Team() : threads_(1) {}
+  /// Runs body(team) on a thread that can then call forEachIndex; returns when it has returned.
+  /// What it throws is thrown again. With one thread, or fewer than kLeastShared `items` to build a
+  /// tree of, body runs on this one alone.
+  static void run(int threads, std::size_t items, const std::function<void(Team&)>& body);
+
+  static constexpr std::size_t kLeastShared = 16384;
+
+  int threads() const { return threads_; }
+
+  /// Calls work(index) for every index below `count`, in ascending order of their starts, on any of
+  /// the threads. A thread that the system is slow to run is not waited for.
+  void forEachIndex(std::size_t count, const std::function<void(std::size_t)>& work);
+
+ private:
+  explicit Team(int threads) : threads_(threads) {}
+  void serve();
+  void takeIndices(const std::function<void(std::size_t)>& work, std::size_t count);
+
+  const int threads_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  // Guarded by mutex_, but for next_:
+  const std::function<void(std::size_t)>* work_ = nullptr;  // null: nothing to do
+  std::size_t count_ = 0, step_ = 0;
+  std::atomic<std::size_t> next_{0};
+  int busy_ = 0;
+  bool ended_ = false;
+  std::exception_ptr failure_;
+};
 
 }  // namespace accel

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "accel/parallel.h"
-
 namespace accel {
 namespace {
 
@@ -67,7 +65,7 @@ struct Run {
 
 /// Exchanges the right items in front of `middle` with the left ones behind it.
 void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::size_t middle,
-                       int threads) {
+                       Team& team) {
   std::vector<Run> early, late;
   for (const Chunk& chunk : chunks) {
     const Run right{chunk.middle, std::min(chunk.end, middle)};
@@ -86,9 +84,7 @@ void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::
     if ((early[i].begin += count) == early[i].end) ++i;
     if ((late[j].begin += count) == late[j].end) ++j;
   }
-  // Starting threads costs as much as exchanging thousands of items.
-  const int workers = exchanges.size() < 8 ? 1 : threads;
-  forEachIndex(workers, exchanges.size(), [&](int, std::size_t i) {
+  team.forEachIndex(exchanges.size(), [&](std::size_t i) {
     const Exchange& e = exchanges[i];
     std::swap_ranges(items + e.a, items + e.a + e.count, items + e.b);
   });
@@ -132,11 +128,11 @@ Sides partition(BuildItem* items, std::size_t count, const Split& split) {
   return sides;
 }
 
-Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, int threads) {
+Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, Team& team) {
   const std::size_t chunkCount = (count + kChunk - 1) / kChunk;
   std::vector<Chunk> chunks(chunkCount);
   std::vector<Sides> sides(chunkCount);
-  forEachIndex(threads, chunkCount, [&](int, std::size_t i) {
+  team.forEachIndex(chunkCount, [&](std::size_t i) {
     const std::size_t begin = i * kChunk, end = std::min(begin + kChunk, count);
     sides[i] = partitionChunk<true>(items + begin, end - begin, split);
     chunks[i] = {begin, begin + sides[i].leftCount, end};
@@ -149,7 +145,7 @@ Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& spli
     all.leftCenters.extend(part.leftCenters);
     all.rightCenters.extend(part.rightCenters);
   }
-  exchangeMisplaced(items, chunks, all.leftCount, threads);
+  exchangeMisplaced(items, chunks, all.leftCount, team);
   return all;
 }
 

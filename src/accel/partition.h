@@ -2,6 +2,7 @@
 // items alone, never on the number of threads.
 #pragma once
 #include "accel/bins.h"
+#include "accel/parallel.h"
 
 namespace accel {
 
@@ -15,7 +16,7 @@ struct Sides {
 /// Partitions `count` items with one thread; the boxes are those that `split` says.
 Sides partition(BuildItem* items, std::size_t count, const Split& split);
 
-/// The same with up to `threads` threads; the boxes are measured on the way.
-Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, int threads);
+/// The same with all threads of `team`; the boxes are measured on the way.
+Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split, Team& team);
 
 }  // namespace accel

@@ -83,7 +83,8 @@ void fillUp(RayPacket& packet, int count) {
 
 /// Sets the common point, from where the tree lies within `reach`.
 void setPoint(const Vec3d& point, double reach, RayPacket& packet) {
-  const double pad = 8 * kRounding * (reach + 1);
+  // A mesh has no anchor: its coordinates, and so their rounding, may be larger than its size.
+  const double pad = 8 * kRounding * (reach + 1 + maxAbs(point));
   for (int axis = 0; axis < 3; ++axis) {
     const double widened = packet.direction[axis][0] < 0 ? -pad : pad;
     packet.originHigh[axis] = float(point[axis]);
@@ -96,15 +97,17 @@ void setPoint(const Vec3d& point, double reach, RayPacket& packet) {
 }  // namespace
 
 bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
-  const Vec3d point =
-      (beam.point - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;
+  const Vec3d point = (beam.point - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;
   double reach = maxAbs(point) * 0x1p-28;
   for (int axis = 0; axis < 3; ++axis) {
-    reach = std::max({reach, std::fabs(bvh.low[axis] - point[axis]),
-                      std::fabs(bvh.high[axis] - point[axis])});
+    reach = std::max(
+        {reach, std::fabs(bvh.low[axis] - point[axis]), std::fabs(bvh.high[axis] - point[axis])});
   }
   if (!(reach < kFarthest)) return false;
-  reach = (reach + maxAbs(point) * 0x1p-28) * (1 + 8 * kRounding);
+  // The error bounds are 64 e times the reach: this one allows for eight times the spread.
+  const double spread = beam.spread * bvh.scale / (8 * kRounding);
+  if (!(spread < kFarthest)) return false;
+  reach = (reach + maxAbs(point) * 0x1p-28 + spread) * (1 + 8 * kRounding);
 
   double largest = 0;
   for (const auto& component : beam.direction) {

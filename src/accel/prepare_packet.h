@@ -10,6 +10,7 @@ namespace accel {
 /// stands in an array of its own, so that the compiler can take several rays at once.
 struct Beam {
   Vec3d point;
+  double spread;  ///< every line passes the point at no more than this distance, along any axis
   int count;
   double direction[3][RayPacket::kMostRays];
   double tmin[RayPacket::kMostRays], tmax[RayPacket::kMostRays];

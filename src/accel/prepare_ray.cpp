@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kRounding = 0x1p-24;
 constexpr float kInf = std::numeric_limits<float>::infinity();
+/// Half of what a float holds, so that what is added to it is held as well.
+constexpr float kMost = 0x1p127f;
+/// Seen from further away, in sizes of the tree, nothing can be told from rounding.
+constexpr double kFarthest = 0x1p56;
 
 /// A direction's component for the box test: not so small that its reciprocal could overflow. A
 /// ray turned by this little stays well within the widening of the boxes.
@@ -79,13 +83,15 @@ bool contains(const WideBvh& bvh, const Vec3d& p) {
 
 float TimeMap::below(double t) const {
   const double x = t * scale - shift;
-  if (x > std::numeric_limits<float>::max()) return std::numeric_limits<float>::max();
+  if (x > kMost) return kMost;
+  if (x < -kMost) return -kInf;
   return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
 }
 
 float TimeMap::above(double t) const {
   const double x = t * scale - shift;
-  if (x > std::numeric_limits<float>::max()) return kInf;
+  if (x > kMost) return kInf;
+  if (x < -kMost) return -kMost;
   return float(x + (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
 }
 
@@ -114,6 +120,11 @@ bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax, Tr
       origin = start + direction * time.shift;
     }
   }
+  if (far > kFarthest) {
+    // The error bounds, though not larger than float can hold, then leave everything open.
+    if (!(std::fabs(time.shift) < std::numeric_limits<double>::max())) return false;
+    for (int axis = 0; axis < 3; ++axis) origin[axis] = (bvh.low[axis] + bvh.high[axis]) / 2;
+  }
 
   double reach = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -123,8 +134,9 @@ bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax, Tr
     r.originLow[axis] = float(origin[axis] - double(r.originHigh[axis]));
     r.direction[axis] = float(direction[axis]);
   }
-  reach = (reach + far * 0x1p-28) * (1 + 8 * kRounding);
-  setBoxTest(r, float(24 * kRounding * (reach + 1)));
+  reach = (reach + std::min(far, 2 * kFarthest) * 0x1p-28) * (1 + 8 * kRounding);
+  // A mesh has no anchor: its coordinates, and so their rounding, may be larger than its size.
+  setBoxTest(r, float(24 * kRounding * (reach + 1 + maxAbs(origin))));
   r.nodes = bvh.root();
   r.leaves = bvh.words();
   r.reach = float(reach);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "accel/bvh_builder.h"
+#include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/space.h"
 #include "geometry/sphere.h"
@@ -52,15 +53,23 @@ bool isBounded(const Entry& entry) {
 
 LeafKind leafKindOf(const Entry& entry) {
   if (entry.kind != Entry::Kind::plain) return LeafKind::objects;
-  if (dynamic_cast<const Sphere*>(entry.object)) return LeafKind::spheres;
-  if (dynamic_cast<const Triangle*>(entry.object)) return LeafKind::looseTriangles;
+  if (exactly<Sphere>(entry.object)) return LeafKind::spheres;
+  if (exactly<Triangle>(entry.object)) return LeafKind::looseTriangles;
   return LeafKind::objects;
 }
 
 /// True where no ray can ever hit the object.
 bool isNothing(const Entry& entry) {
-  const auto* triangle = dynamic_cast<const Triangle*>(entry.object);
+  const auto* triangle = exactly<Triangle>(entry.object);
   return triangle && !triangle->hasArea();
+}
+
+/// True where a box tells where the object is hit: beyond these sizes, squares in the double
+/// functions of spheres and triangles overflow or underflow, and their answers are arbitrary.
+bool isMeasurable(const Entry& entry, const BoundingBox& box) {
+  const double largest = box.longestSide() + maxAbs(box.low()) + maxAbs(box.high());
+  return largest < 0x1p500 &&
+         (leafKindOf(entry) == LeafKind::objects || box.longestSide() > 0x1p-450);
 }
 
 float roundedDown(double x) {
@@ -150,9 +159,8 @@ void Space::finish(int threads) {
     const Entry& entry = entries_[id];
     if (isNothing(entry)) continue;
     const BoundingBox box = accel::isBounded(entry) ? boxOf(entry) : BoundingBox();
-    const double size = box.longestSide() + maxAbs(box.low()) + maxAbs(box.high());
     if (!accel::isBounded(entry)) bounded_ = false;
-    if (box.isEmpty() || !(size < std::numeric_limits<double>::max())) {
+    if (box.isEmpty() || !isMeasurable(entry, box)) {
       direct_.push_back(id);
       continue;
     }
@@ -174,7 +182,9 @@ void Space::finish(int threads) {
   }
   boxes = {};
   inTree = {};
-  buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), threads);
+  Team::run(threads, items.count(), [&](Team& team) {
+    buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), team);
+  });
 }
 
 }  // namespace accel

@@ -53,7 +53,9 @@ WideBvh treeOf(const std::vector<BuildItem>& list, int threads) {
   accel::BuildItems items(list.size());
   for (const BuildItem& item : list) items.add(item);
   WideBvh bvh;
-  accel::buildWideBvh(bvh, std::move(items), PlainWriter(), threads);
+  accel::Team::run(threads, list.size(), [&](accel::Team& team) {
+    accel::buildWideBvh(bvh, std::move(items), PlainWriter(), team);
+  });
   return bvh;
 }
 

@@ -1,0 +1,162 @@
+// Compares a compiled scene with the plain objects it was made from, bit for bit.
+#pragma once
+#include <cstring>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "accel/compiled_scene.h"
+#include "vectors.h"
+
+namespace accel_test {
+
+inline constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// Every instruction set that this processor has.
+inline std::vector<SimdLevel> levels() {
+  std::vector<SimdLevel> all;
+  for (const SimdLevel level : {SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
+    if (availableSimd(level) == level) all.push_back(level);
+  }
+  return all;
+}
+
+inline bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+inline bool sameBits(const Vec3d& a, const Vec3d& b) {
+  return sameBits(a.x(), b.x()) && sameBits(a.y(), b.y()) && sameBits(a.z(), b.z());
+}
+inline bool sameBits(const Hit& a, const Hit& b) {
+  return sameBits(a.getT(), b.getT()) && a.getMaterial() == b.getMaterial() &&
+         a.getObject() == b.getObject() && a.getPart() == b.getPart() &&
+         sameBits(a.getNormal(), b.getNormal()) &&
+         sameBits(a.getIntersectionPoint(), b.getIntersectionPoint()) &&
+         sameBits(a.getMagnitude(), b.getMagnitude());
+}
+
+inline std::string describe(const Ray& ray, double tmin, double tmax) {
+  std::string text = "ray";
+  for (const Vec3d& v : {ray.getOrigin(), ray.getDirection()}) {
+    for (int axis = 0; axis < 3; ++axis) text += " " + check::show(v[axis]);
+  }
+  return text + ", tmin " + check::show(tmin) + ", tmax " + check::show(tmax) +
+         (ray.getSource() ? ", leaving a surface" : "");
+}
+inline std::string describe(const Hit& hit) {
+  return "t " + check::show(hit.getT()) + " part " + std::to_string(hit.getPart()) +
+         (hit.getMaterial() ? "" : " (nothing)");
+}
+
+/// All crossings as sorted rows, so that the order of visits does not matter.
+class CrossingSet : public CrossingVisitor {
+ public:
+  CrossingSet(const Object3D& object, const Ray& ray) {
+    object.visitCrossings(ray, *this);
+    std::sort(rows_.begin(), rows_.end());
+  }
+  void visit(const Crossing& c) override {
+    rows_.emplace_back(c.t, c.object, c.material, c.closed, c.leaving);
+  }
+  bool operator==(const CrossingSet& other) const { return rows_ == other.rows_; }
+  std::size_t size() const { return rows_.size(); }
+
+ private:
+  std::vector<std::tuple<double, const Object3D*, const Material*, bool, bool>> rows_;
+};
+
+/// Asks objects and their compiled forms the same questions, and counts what was found.
+class Comparison {
+ public:
+  /// `root` is not owned.
+  explicit Comparison(const Object3D& root, std::string name = "") : root_(root), name_(name) {
+    for (const SimdLevel level : levels()) {
+      compiled_.push_back(std::make_unique<CompiledScene>(root, 2, level));
+    }
+  }
+
+  /// intersect, occluded and visitCrossings.
+  void ask(const Ray& ray, double tmin, double tmax) {
+    Hit expected(tmax);
+    const bool found = root_.intersect(ray, expected, tmin);
+    const bool blocked = root_.occluded(ray, tmin, tmax);
+    hits_ += found;
+    for (const auto& scene : compiled_) {
+      Hit hit(tmax);
+      const bool ok = scene->intersect(ray, hit, tmin) == found && sameBits(hit, expected);
+      cases_.expect(ok, [&] {
+        return where(*scene) + describe(ray, tmin, tmax) + ": intersect finds " + describe(hit) +
+               ", expected " + describe(expected);
+      });
+      cases_.expect(scene->occluded(ray, tmin, tmax) == blocked, [&] {
+        return where(*scene) + describe(ray, tmin, tmax) + ": occluded, expected " +
+               check::show(blocked);
+      });
+    }
+  }
+  void askCrossings(const Ray& ray) {
+    const CrossingSet expected(root_, ray);
+    for (const auto& scene : compiled_) {
+      const CrossingSet found(*scene, ray);
+      cases_.expect(found == expected, [&] {
+        return where(*scene) + describe(ray, 0, kInf) + ": " + check::show(found.size()) +
+               " crossings, expected " + check::show(expected.size());
+      });
+    }
+  }
+  /// intersectBatch, with hits that begin as `bounds`.
+  void askBatch(const std::vector<Ray>& rays, double tmin, const std::vector<Hit>& bounds) {
+    std::vector<Hit> expected = bounds;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits_ += root_.intersect(rays[i], expected[i], tmin);
+    }
+    for (const auto& scene : compiled_) {
+      std::vector<Hit> hits = bounds;
+      scene->intersectBatch(rays.data(), int(rays.size()), tmin, hits.data());
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        cases_.expect(sameBits(hits[i], expected[i]), [&] {
+          return where(*scene) + describe(rays[i], tmin, bounds[i].getT()) + ", " +
+                 std::to_string(i) + " of a batch of " + std::to_string(rays.size()) + ", finds " +
+                 describe(hits[i]) + ", expected " + describe(expected[i]);
+        });
+      }
+    }
+  }
+  void askBatch(const std::vector<Ray>& rays, double tmin, double tmax) {
+    askBatch(rays, tmin, std::vector<Hit>(rays.size(), Hit(tmax)));
+  }
+  void askShadows(const std::vector<ShadowQuery>& queries) {
+    std::vector<char> expected;
+    for (const ShadowQuery& q : queries) {
+      expected.push_back(root_.occluded(q.ray, q.tmin, q.tmax));
+      hits_ += expected.back();
+    }
+    for (const auto& scene : compiled_) {
+      bool blocked[Object3D::kBatchSize];
+      scene->occludedBatch(queries.data(), int(queries.size()), blocked);
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        cases_.expect(blocked[i] == bool(expected[i]), [&] {
+          return where(*scene) + describe(queries[i].ray, queries[i].tmin, queries[i].tmax) + ", " +
+                 std::to_string(i) + " of " + std::to_string(queries.size()) +
+                 " shadow rays: blocked is expected to be " + check::show(bool(expected[i]));
+        });
+      }
+    }
+  }
+
+  /// How many rays have met something.
+  int hits() const { return hits_; }
+  int tried() const { return cases_.tried(); }
+  const std::string& firstFailure() const { return cases_.firstFailure(); }
+
+ private:
+  std::string where(const CompiledScene& scene) const {
+    return name_ + " (" + scene.describe() + "): ";
+  }
+
+  const Object3D& root_;
+  std::string name_;
+  std::vector<std::unique_ptr<CompiledScene>> compiled_;
+  check::Cases cases_;
+  int hits_ = 0;
+};
+
+}  // namespace accel_test
