@@ -29,7 +29,10 @@ std::string atLeastZero(const std::string& word) {
 double depthNumber(const GivenOption& given, const char* what, const std::string& word) {
   double value = 0;
   if (!readDouble(word, value))
-    fail(given, std::string(isNumber(word) ? "a number within range for " : "a number for ") + what + " (MIN MAX FILE, or FILE MIN MAX)", word);
+    fail(given,
+         std::string(isNumber(word) ? "a number within range for " : "a number for ") + what +
+             " (MIN MAX FILE, or FILE MIN MAX)",
+         word);
   return value;
 }
 

@@ -40,9 +40,9 @@ int print(const std::string& text) {
 }
 
 int checkScene(const Options& options) {
-  const std::vector<InputError> mistakes =
-      withMemory("to read " + displayName(options.input),
-                 [&] { return SceneParser::check(options.input.c_str()); });
+  const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
+    return SceneParser::check(options.input.c_str());
+  });
   for (const InputError& mistake : mistakes) complain(mistake.what());
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");

@@ -37,9 +37,8 @@ void SceneBuilder::readCountedItems(const CountedBlock& block, int expected, boo
   while (in_.word() != "}") {
     if (block.items.contains(in_.word())) {
       if (isSure && found == expected) {
-        in_.report(in_.at(),
-                   says() + std::string(block.owner) + " goes on: expected '}', found " +
-                       in_.quotedAt(in_.at()));
+        in_.report(in_.at(), says() + std::string(block.owner) + " goes on: expected '}', found " +
+                                 in_.quotedAt(in_.at()));
         isSure = false;
       }
       readItem();

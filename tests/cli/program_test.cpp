@@ -111,8 +111,8 @@ TEST("an output must not be a mesh of the scene") {
   const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   desk.write("a mesh.obj", mesh);
   std::filesystem::create_symlink("a mesh.obj", desk.file("link.obj"));
-  desk.write("mesh.txt", check::smallScene() +
-                             "Group { numObjects 1 TriangleMesh { obj_file link.obj } }\n");
+  desk.write("mesh.txt",
+             check::smallScene() + "Group { numObjects 1 TriangleMesh { obj_file link.obj } }\n");
   for (const char* output : {"-output 'a mesh.obj'", "-depth 1 2 link.obj", "-normals link.obj"}) {
     checkFailure(desk.run(std::string("-input mesh.txt ") + output), 2, "one of its meshes");
   }

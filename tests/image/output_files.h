@@ -40,7 +40,8 @@ inline long entriesOf(const std::string& folder) {
                        std::filesystem::directory_iterator());
 }
 
-/// The part of the message behind "PATH: cannot be written: " of the OutputError of `attempt`; empty without one.
+/// The part of the message behind "PATH: cannot be written: " of the OutputError of `attempt`;
+/// empty without one.
 template <class Attempt>
 std::string faultOf(const std::string& path, Attempt attempt) {
   try {

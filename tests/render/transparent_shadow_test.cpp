@@ -206,8 +206,7 @@ TEST("a closed mesh that is inside out dims as one that is not") {
   const std::string upright = scene_text::write(
       "v 0 -1 -1\nv 1 -1 1\nv -1 -1 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n", ".obj");
   for (const std::string& file : {inverted, upright}) {
-    checkLight(
-        underGlass(1, "Transform { Translate 0 5 0" + scene_text::mesh(file) + "}"), 0,
-        glass(2));  // from the apex straight down to the base
+    checkLight(underGlass(1, "Transform { Translate 0 5 0" + scene_text::mesh(file) + "}"), 0,
+               glass(2));  // from the apex straight down to the base
   }
 }

@@ -162,7 +162,8 @@ TEST("a mesh that cannot be read is a mistake of the scene's line that names it"
 
 TEST("a mistake inside a mesh names the mesh, once however often it is used") {
   const std::string path = scenes::write("bad.obj", "\nf 1 2 3\n");
-  const std::string scene = scenes::around(mesh(scenes::lastPart(path)) + mesh(scenes::lastPart(path)), 2);
+  const std::string scene =
+      scenes::around(mesh(scenes::lastPart(path)) + mesh(scenes::lastPart(path)), 2);
   CHECK_EQUAL(scenes::mistakesIn(scene).find("2: face index out of range"), 0u);
   const std::string scenePath = scenes::write("scene.txt", scene);
   const std::vector<InputError> mistakes = SceneParser::check(scenePath.c_str());

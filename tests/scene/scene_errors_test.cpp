@@ -80,7 +80,7 @@ TEST("bad numbers are named with their field") {
   CHECK_MISTAKE(around("Material { diffuseColor 0 1e39 0 }" + kSphere), 5, "'1e39'");
   CHECK_MISTAKE(around("Sphere { center 0 0 radius 1 }"), 5,
                 "expected a number for center, found 'radius'");
-  CHECK_MISTAKE(around("Sphere { center 0 0 0 0 radius 1 }"), 5, 
+  CHECK_MISTAKE(around("Sphere { center 0 0 0 0 radius 1 }"), 5,
                 "a number too many in Sphere: expected a word or '}', found '0'");
   CHECK_MISTAKE(around("Sphere { center 0 0 0 radius " + std::string(1'000'000, '9') + "x }"), 5,
                 "'" + std::string(40, '9') + "...'");
