@@ -146,7 +146,10 @@ Mesh terrain(int cells) {
   for (const std::size_t i : rim)
     base.push_back(mesh.add({mesh.points[i][0], -1, mesh.points[i][2]}));
   joinRings(mesh, base, rim);
-  mesh.faces.push_back(Face(base.rbegin(), base.rend()));
+  const std::size_t center = mesh.add({0, -1, 0});  // a fan from a corner would have flat triangles
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    mesh.faces.push_back({center, base[(i + 1) % base.size()], base[i]});
+  }
   return mesh;
 }
 
