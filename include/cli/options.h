@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "accel/compiled_scene.h"
 #include "render/render_options.h"
 
 /// A mistake in the command line: what() says what was expected and what was found.
@@ -35,8 +36,10 @@ struct Options {
   RenderOptions render;
   int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
   Accel accel = Accel::fast;
+  SimdLevel simd = SimdLevel::automatic;  ///< the best that is wanted
 
   bool quiet = false;      ///< no warnings, no progress
+  bool stats = false;      ///< print what was used and how long it took
   bool check = false;      ///< read the scene, report every mistake, render nothing
   bool shortHelp = false;  ///< no argument at all was given
   bool help = false;

@@ -13,6 +13,17 @@ void setAccel(const GivenOption& given, Options& options) {
   options.accel = word == "fast" ? Options::Accel::fast : Options::Accel::tree;
 }
 
+void setSimd(const GivenOption& given, Options& options) {
+  for (const SimdLevel level :
+       {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
+    if (given.words[0] != nameOf(level)) continue;
+    options.simd = level;
+    return;
+  }
+  throw UsageError("-simd: expected auto, baseline, avx2 or avx512, found " +
+                   ::quoted(given.words[0]));
+}
+
 void setEpsilon(const GivenOption& given, Options& options) {
   Epsilon& epsilon = options.render.epsilon;
   epsilon.value = Epsilon::kCourse;
@@ -91,6 +102,13 @@ std::vector<OptionRow> runningRows() {
        [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
       {group, "accel", nullptr, "NAME", "fast",
        "fast, or tree: the plain object tree, for checking", setAccel},
+      {group, "simd", nullptr, "LEVEL", "auto",
+       "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
+       "best; the image never depends on it",
+       setSimd},
+      {group, "stats", nullptr, "", nullptr,
+       "print what was used and how long it took, in lines of NAME: VALUE",
+       [](Given, Options& o) { o.stats = true; }},
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
        [](Given, Options& o) { o.quiet = true; }},
       {group, "help", nullptr, "", nullptr, "print this list",

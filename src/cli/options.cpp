@@ -47,11 +47,11 @@ void checkComplete(const Options& options) {
   if (options.help || options.version || options.shortHelp) return;
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
-                         !options.normalsOutput.empty() || options.check;
+                         !options.normalsOutput.empty() || options.stats || options.check;
   if (!anyOutput)
     throw UsageError(
-        "expected something to do with the scene, found none of -output, -depth, -normals and "
-        "-check");
+        "expected something to do with the scene, found none of -output, -depth, -normals, "
+        "-stats and -check");
 }
 
 }  // namespace

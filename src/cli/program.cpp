@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <optional>
 
 #include "accel/compiled_scene.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
 #include "system/worker_threads.h"
@@ -52,7 +54,8 @@ int threadCount(const Options& options) {
   return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
 }
 
-void renderAll(const SceneParser& scene, const Options& options, std::vector<Output>& outputs) {
+/// Where the pictures go; with -stats alone there is one that `unwritten` holds.
+RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
     if (output.kind == Output::Kind::color) targets.color = &output.image;
@@ -61,34 +64,74 @@ void renderAll(const SceneParser& scene, const Options& options, std::vector<Out
   }
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
-  const int threads = threadCount(options);
-  if (options.accel == Options::Accel::tree) {
-    render(scene, *scene.getGroup(), options.render, threads, targets);
-  } else {
-    const CompiledScene compiled(*scene.getGroup(), threads, SimdLevel::automatic);
-    render(scene, compiled, options.render, threads, targets);
+  if (outputs.empty()) {
+    unwritten = Image(options.width, options.height);
+    targets.color = &unwritten;
   }
+  return targets;
+}
+
+/// Builds what answers for the scene's objects, then traces; enters both in `stats`.
+void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
+               Stats& stats) {
+  stats.threads = threadCount(options);
+  stats.simd = "none";
+  stats.tree = "plain object tree";
+  Stopwatch watch;
+  std::optional<CompiledScene> compiled;
+  if (options.accel == Options::Accel::fast) {
+    compiled.emplace(*scene.getGroup(), stats.threads, options.simd);
+    stats.simd = nameOf(availableSimd(options.simd));
+    stats.tree = compiled->describe();
+  }
+  stats.buildSeconds = watch.restart();
+  const Object3D& geometry = compiled ? static_cast<const Object3D&>(*compiled) : *scene.getGroup();
+  render(scene, geometry, options.render, stats.threads, targets);
+  stats.traceSeconds = watch.restart();
+}
+
+void warnOfSimd(const Options& options) {
+  const SimdLevel available = availableSimd(options.simd);
+  if (options.simd == SimdLevel::automatic || available == options.simd) return;
+  complain(std::string("warning: -simd ") + nameOf(options.simd) +
+           ": this processor does not have it; " + nameOf(available) + " is used");
+}
+
+void printWarnings(const SceneParser& scene, const Options& options) {
+  if (options.quiet) return;
+  for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
+  warnOfSimd(options);
 }
 
 int renderScene(const Options& options) {
+  Stats stats;
+  Stopwatch watch;
   SceneParser scene = withMemory("to read " + displayName(options.input),
                                  [&] { return SceneParser(options.input.c_str()); });
   checkFiles(options, scene.getMeshFiles());
-  if (!options.quiet)
-    for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
-  if (options.render.transparentShadows)
+  printWarnings(scene, options);
+  if (options.render.transparentShadows) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
+  }
+  stats.readSeconds = watch.restart();
 
   std::vector<Output> outputs = wantedOutputs(options);
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
-  if (outputs.empty()) return kOutputFailed;
+  if (outputs.empty() && wanted > 0) return kOutputFailed;
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
-  withMemory("for images of " + size, [&] { makeImages(outputs, options.width, options.height); });
-  withMemory("to render " + size, [&] { renderAll(scene, options, outputs); });
+  Image unwritten;
+  const RenderTargets targets = withMemory("for images of " + size, [&] {
+    makeImages(outputs, options.width, options.height);
+    return targetsOf(options, outputs, unwritten);
+  });
+  withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  watch.restart();
   const std::size_t written = writeAll(outputs);
-  return written == wanted ? kDone : kOutputFailed;
+  stats.writeSeconds = watch.restart();
+  const int printed = options.stats ? print(stats.text()) : kDone;
+  return written == wanted ? printed : kOutputFailed;
 }
 
 int runHere(const Options& options) {

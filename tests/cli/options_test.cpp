@@ -43,6 +43,7 @@ Words sampleWords(const OptionRow& row) {
   for (std::string& word : words) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
+    if (word == "LEVEL") word = "avx2";
     if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
     if (word == "MAX") word = "2";
   }
@@ -70,11 +71,13 @@ TEST("defaults are those of the contract, and those that the table tells") {
   CHECK(o.render.epsilon.kind == Epsilon::Kind::automatic);
   CHECK_EQUAL(o.threads, 0);
   CHECK(o.accel == Options::Accel::fast);
-  CHECK(!o.quiet && !o.check && !o.help && !o.version);
+  CHECK(o.simd == SimdLevel::automatic);
+  CHECK(!o.quiet && !o.stats && !o.check && !o.help && !o.version);
   CHECK_EQUAL(findOption("size")->defaultWords, std::string("100 100"));
   CHECK_EQUAL(findOption("bounces")->defaultWords, std::string("5"));
   CHECK_EQUAL(findOption("weight")->defaultWords, std::string("0.01"));
   CHECK_EQUAL(findOption("accel")->defaultWords, std::string("fast"));
+  CHECK_EQUAL(findOption("simd")->defaultWords, std::string("auto"));
 }
 
 TEST("limits in the help are the limits of the parser") {
@@ -84,9 +87,27 @@ TEST("limits in the help are the limits of the parser") {
 }
 
 TEST("every argument of the contract is in the table") {
-  for (const char* name : {"input", "output", "size", "depth", "normals", "normal", "bounces",
-                           "weight", "shadows", "no_shadows", "transparent_shadows", "shade_back",
-                           "epsilon", "threads", "accel", "quiet", "check", "help", "version"})
+  for (const char* name : {"input",
+                           "output",
+                           "size",
+                           "depth",
+                           "normals",
+                           "normal",
+                           "bounces",
+                           "weight",
+                           "shadows",
+                           "no_shadows",
+                           "transparent_shadows",
+                           "shade_back",
+                           "epsilon",
+                           "threads",
+                           "accel",
+                           "simd",
+                           "stats",
+                           "quiet",
+                           "check",
+                           "help",
+                           "version"})
     CHECK(findOption(name) != nullptr);
 }
 
@@ -222,6 +243,15 @@ TEST("accel is fast or tree") {
   CHECK(contains(mistake({"-accel", "fsat"}), "found 'fsat'; did you mean 'fast'?"));
 }
 
+TEST("simd is auto, baseline, avx2 or avx512") {
+  CHECK(parse({"-simd", "baseline"}).simd == SimdLevel::baseline);
+  CHECK(parse({"-simd", "avx2"}).simd == SimdLevel::avx2);
+  CHECK(parse({"-simd", "avx512"}).simd == SimdLevel::avx512);
+  CHECK(parse({"-simd", "avx2", "-simd", "auto"}).simd == SimdLevel::automatic);
+  CHECK(contains(mistake({"-simd", "sse"}),
+                 "-simd: expected auto, baseline, avx2 or avx512, found 'sse'"));
+}
+
 TEST("an unknown argument is answered with the nearest one") {
   CHECK(contains(mistake({"-bounce", "5"}), "did you mean '-bounces'?"));
   CHECK(contains(mistake({"--noshadows"}), "did you mean '-no_shadows'?"));
@@ -244,8 +274,9 @@ TEST("a scene and something to do with it are needed") {
     return std::string();
   };
   CHECK(contains(message("-output out.tga"), "-input"));
-  CHECK(contains(message("-input scene.txt"), "-output, -depth, -normals and -check"));
-  for (const char* enough : {"-check", "-output a", "-depth 1 2 a", "-normals a", "-normal a"})
+  CHECK(contains(message("-input scene.txt"), "-output, -depth, -normals, -stats and -check"));
+  for (const char* enough :
+       {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a", "-normal a"})
     CHECK_EQUAL(message((std::string("-input scene.txt ") + enough).c_str()), "");
   CHECK_EQUAL(message(""), "");
   CHECK_EQUAL(message("-help"), "");
