@@ -66,8 +66,9 @@ struct Passage {
       const double component = std::fabs(direction[axis]) >= kLeast
                                    ? direction[axis]
                                    : std::copysign(kLeast, direction[axis]);
-      const double a = (bvh.low[axis] - margin - start[axis]) / component;
-      const double b = (bvh.high[axis] + margin - start[axis]) / component;
+      const double inverse = 1 / component;
+      const double a = (bvh.low[axis] - margin - start[axis]) * inverse;
+      const double b = (bvh.high[axis] + margin - start[axis]) * inverse;
       enter = std::max(enter, std::min(a, b));
       leave = std::min(leave, std::max(a, b));
     }
