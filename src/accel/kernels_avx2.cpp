@@ -22,7 +22,8 @@ const Kernels& avx2Kernels() {
                                   avx2::traverse<Purpose::all>,
                                   avx2::traversePacket<Purpose::nearest>,
                                   avx2::traversePacket<Purpose::any>,
-                                  avx2::computeHits};
+                                  avx2::computeHits,
+                                  avx2::prepareRay};
   return kernels;
 }
 

@@ -22,7 +22,8 @@ const Kernels& avx512Kernels() {
                                   avx512::traverse<Purpose::all>,
                                   avx512::traversePacket<Purpose::nearest>,
                                   avx512::traversePacket<Purpose::any>,
-                                  avx512::computeHits};
+                                  avx512::computeHits,
+                                  avx512::prepareRay};
   return kernels;
 }
 

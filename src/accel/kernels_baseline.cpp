@@ -21,7 +21,8 @@ const Kernels& baselineKernels() {
                                   baseline::traverse<Purpose::all>,
                                   baseline::traversePacket<Purpose::nearest>,
                                   baseline::traversePacket<Purpose::any>,
-                                  baseline::computeHits};
+                                  baseline::computeHits,
+                                  baseline::prepareRay};
   return kernels;
 }
 

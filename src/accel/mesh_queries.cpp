@@ -95,7 +95,8 @@ bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleM
                    std::uint32_t order, const Ray& ray, NearestQuery& query) {
   TraversalRay r;
   NearestInMesh self{{tree, mesh, ray, {}}, query, order};
-  if (tree.bvh().isEmpty() || !prepareRay(tree.bvh(), ray, query.tmin, query.t, r, self.time)) {
+  if (tree.bvh().isEmpty() ||
+      !prepareRay(kernels, tree.bvh(), ray, query.tmin, query.t, r, self.time)) {
     return false;
   }
   r.resolve = NearestInMesh::resolve;
@@ -113,7 +114,7 @@ bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const Triangle
                     const Ray& ray, double tmin, double tmax) {
   TraversalRay r;
   OccludedByMesh self{{tree, mesh, ray, {}}, tmin, tmax};
-  if (tree.bvh().isEmpty() || !prepareRay(tree.bvh(), ray, tmin, tmax, r, self.time)) {
+  if (tree.bvh().isEmpty() || !prepareRay(kernels, tree.bvh(), ray, tmin, tmax, r, self.time)) {
     return false;
   }
   r.resolve = OccludedByMesh::resolve;
@@ -128,7 +129,7 @@ void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const Tria
   TimeMap time;
   CrossingsOfMesh self{tree, mesh, ray, visitor};
   if (tree.bvh().isEmpty() ||
-      !prepareRay(tree.bvh(), ray, 0, std::numeric_limits<double>::infinity(), r, time)) {
+      !prepareRay(kernels, tree.bvh(), ray, 0, std::numeric_limits<double>::infinity(), r, time)) {
     return;
   }
   r.resolve = CrossingsOfMesh::resolve;

@@ -5,18 +5,16 @@
 
 namespace accel {
 
-/// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
-struct TimeMap {
-  double scale = 1, shift = 0;
-
-  /// Floats surely not above, and surely not below, the t' of t.
-  float below(double t) const;
-  float above(double t) const;
-};
-
 /// Fills `prepared` but for its candidates and call backs, and stores the map of its t'. Returns
-/// false where the ray misses the box of the tree between tmin and tmax.
-bool prepareRay(const WideBvh& bvh, const Ray& ray, double tmin, double tmax,
-                TraversalRay& prepared, TimeMap& time);
+/// false where the ray misses the box of the tree, which is not empty, between tmin and tmax.
+inline bool prepareRay(const Kernels& kernels, const WideBvh& bvh, const Ray& ray, double tmin,
+                       double tmax, TraversalRay& prepared, TimeMap& time) {
+  const Vec3d &o = ray.getOrigin(), &d = ray.getDirection();
+  const double origin[] = {o.x(), o.y(), o.z()}, direction[] = {d.x(), d.y(), d.z()};
+  if (!kernels.prepareRay(bvh, origin, direction, tmin, tmax, prepared, time)) return false;
+  prepared.nodes = bvh.root();
+  prepared.leaves = bvh.words();
+  return true;
+}
 
 }  // namespace accel

@@ -182,7 +182,8 @@ bool Space::nearest(const Ray& ray, NearestQuery& query) const {
 bool Space::nearestInTree(const Ray& ray, NearestQuery& query) const {
   TraversalRay r;
   NearestInSpace self{{*this, ray, {}}, query};
-  if (bvh_.isEmpty() || !prepareRay(bvh_, ray, query.tmin, query.t, r, self.time)) return false;
+  if (bvh_.isEmpty() || !prepareRay(*kernels_, bvh_, ray, query.tmin, query.t, r, self.time))
+    return false;
   attach(r, self);
   kernels_->nearest(r);
   NearestInSpace::resolve(r);
@@ -199,7 +200,7 @@ bool Space::occluded(const Ray& ray, double tmin, double tmax) const {
 bool Space::occludedInTree(const Ray& ray, double tmin, double tmax) const {
   TraversalRay r;
   OccludedInSpace self{{*this, ray, {}}, tmin, tmax};
-  if (bvh_.isEmpty() || !prepareRay(bvh_, ray, tmin, tmax, r, self.time)) return false;
+  if (bvh_.isEmpty() || !prepareRay(*kernels_, bvh_, ray, tmin, tmax, r, self.time)) return false;
   attach(r, self);
   return kernels_->any(r);
 }
@@ -209,7 +210,7 @@ void Space::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
   if (bvh_.isEmpty()) return;
   TraversalRay r;
   CrossingsInSpace self{{*this, ray, {}}, visitor};
-  if (!prepareRay(bvh_, ray, 0, kInf, r, self.time)) return;
+  if (!prepareRay(*kernels_, bvh_, ray, 0, kInf, r, self.time)) return;
   attach(r, self);
   kernels_->all(r);
   CrossingsInSpace::resolve(r);

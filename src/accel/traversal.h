@@ -41,10 +41,10 @@ struct TraversalRay {
 
   const WideNode* nodes;
   const std::uint32_t* leaves;
-  float originHigh[3], originLow[3];  ///< origin as the sum of two floats
-  float direction[3];
-  float reciprocal[3];                ///< of the direction, finite
-  float nearOffset[3], farOffset[3];  ///< box test: t' = plane * reciprocal + offset, widened
+  float originHigh[4], originLow[4];  ///< origin as the sum of two floats
+  float direction[4];
+  float reciprocal[4];                ///< of the direction, finite
+  float nearOffset[4], farOffset[4];  ///< box test: t' = plane * reciprocal + offset, widened
   int nearRow[3];                     ///< which of WideNode::planes is the near one on this axis
   float tminDown, tminUp;             ///< below and above tmin', both >= 0
   float tmaxUp, tmaxDown;             ///< above and below tmax'
@@ -65,6 +65,15 @@ struct TraversalRay {
   void* context;  ///< for these two
 };
 
+/// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
+struct TimeMap {
+  double scale = 1, shift = 0;
+
+  /// Floats surely not above, and surely not below, the t' of t.
+  float below(double t) const;
+  float above(double t) const;
+};
+
 /// What a traversal is for.
 enum class Purpose {
   nearest,  ///< a proven hit lowers tmax'
@@ -83,6 +92,11 @@ struct Kernels {
   void (*nearestOfPacket)(RayPacket& packet);
   void (*anyOfPacket)(RayPacket& packet);
   void (*computeHits)(TriangleHits& hits);
+  /// Fills `prepared` but for the tree, its candidates and call backs, and stores the map of its
+  /// t'. Origin and direction are three numbers each. False where the ray misses the box of the
+  /// tree between tmin and tmax.
+  bool (*prepareRay)(const WideBvh& bvh, const double* origin, const double* direction, double tmin,
+                     double tmax, TraversalRay& prepared, TimeMap& time);
 };
 
 const Kernels& baselineKernels();
