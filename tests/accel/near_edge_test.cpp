@@ -182,11 +182,15 @@ TEST("of layers of triangles next to each other the nearest is found, and none b
     std::vector<Vec3f> vertices;
     std::vector<MeshGeometry::Face> faces;
     const double gap = random.logUniform(1e-9, 1e-2);
+    const Matrix turn = Matrix::rotation(random.unitVector(), random.uniform(0, 360));
     for (std::uint32_t i = 0; i < 16; ++i) {
       Vec3d corners[3] = {{-3, -3, 0}, {3, -3, 0}, {0, 4, 0}};
       for (Vec3d& corner : corners) corner[2] = random.uniform(-1, 1) * gap;
       if (i % 4 == 0) corners[0][2] = corners[1][2] = corners[2][2] = 0;  // some lie in one plane
-      for (const Vec3d& corner : corners) vertices.emplace_back(corner);
+      for (Vec3d& corner : corners) {
+        corner = turn.transformPoint(corner);
+        vertices.emplace_back(corner);
+      }
       faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
       if (round % 2) {
         group.addObject(
@@ -201,13 +205,14 @@ TEST("of layers of triangles next to each other the nearest is found, and none b
     for (int batch = 0; batch < 6; ++batch) {
       // Every other eye is close above the layers, where the error of the distance counts most.
       const double away = batch % 2 ? 9 : random.logUniform(1e-3, 0.3);
-      const Vec3d eye(random.uniform(-1, 1) * away, random.uniform(-1, 1) * away,
-                      random.logUniform(1e-6, 1) * away);
+      const Vec3d eye = turn.transformPoint(
+          Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.logUniform(1e-6, 1)) * away);
       std::vector<Ray> tile;
       std::vector<Hit> bounds;
       std::vector<ShadowQuery> shadows;
       for (int i = 0; i < 64; ++i) {
-        const Vec3d at(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0);
+        const Vec3d at =
+            turn.transformPoint({random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0});
         tile.push_back(Ray(eye, normalize(at - eye)));
         const double near = 1 + (random.index(2) ? gap : -gap) * random.logUniform(1e-9, 10);
         bounds.emplace_back(random.index(2) ? kInf : length(at - eye) * near);
