@@ -171,3 +171,66 @@ TEST("rays past the rims of spheres hit what the double function says") {
   CHECK_EQUAL(failure, "");
   CHECK(tried > 600000 && hits > 100000);
 }
+
+TEST("of layers of triangles next to each other the nearest is found, and none behind a bound") {
+  Random random(14);
+  int tried = 0, hits = 0;
+  std::string failure;
+  for (int round = 0; round < 200 && failure.empty(); ++round) {
+    Owner owner;
+    Group group;
+    std::vector<Vec3f> vertices;
+    std::vector<MeshGeometry::Face> faces;
+    const double gap = random.logUniform(1e-9, 1e-2);
+    const Matrix turn = Matrix::rotation(random.unitVector(), random.uniform(0, 360));
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      Vec3d corners[3] = {{-3, -3, 0}, {3, -3, 0}, {0, 4, 0}};
+      for (Vec3d& corner : corners) corner[2] = random.uniform(-1, 1) * gap;
+      if (i % 4 == 0) corners[0][2] = corners[1][2] = corners[2][2] = 0;  // some lie in one plane
+      for (Vec3d& corner : corners) {
+        corner = turn.transformPoint(corner);
+        vertices.emplace_back(corner);
+      }
+      faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+      if (round % 2) {
+        group.addObject(
+            &owner.make<Triangle>(corners[0], corners[1], corners[2], owner.material(int(i))));
+      }
+    }
+    if (round % 2 == 0) {
+      group.addObject(&owner.make<TriangleMesh>(owner.geometry(MeshGeometry(vertices, faces)),
+                                                owner.material(0)));
+    }
+    Comparison comparison(group, "layers " + std::to_string(round));
+    for (int batch = 0; batch < 6; ++batch) {
+      // Every other eye is close above the layers, where the error of the distance counts most.
+      const double away = batch % 2 ? 9 : random.logUniform(1e-3, 0.3);
+      const Vec3d eye = turn.transformPoint(
+          Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.logUniform(1e-6, 1)) * away);
+      std::vector<Ray> tile;
+      std::vector<Hit> bounds;
+      std::vector<ShadowQuery> shadows;
+      for (int i = 0; i < 64; ++i) {
+        const Vec3d at =
+            turn.transformPoint({random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0});
+        tile.push_back(Ray(eye, normalize(at - eye)));
+        const double near = 1 + (random.index(2) ? gap : -gap) * random.logUniform(1e-9, 10);
+        bounds.emplace_back(random.index(2) ? kInf : length(at - eye) * near);
+        // To the same point as a lamp, from on, before or behind the layers.
+        const Vec3d from = eye + (at - eye) * near;
+        shadows.push_back({Ray(from, normalize(eye - from)), 0, length(eye - from)});
+        comparison.ask(tile.back(), 0, bounds.back().getT());
+        comparison.ask(shadows.back().ray, 0, shadows.back().tmax);
+        comparison.ask(tile.back(), length(at - eye) * near, kInf);
+      }
+      comparison.askBatch(tile, 0, bounds);
+      comparison.askBatch(tile, length(eye), kInf);
+      comparison.askShadows(shadows);
+    }
+    failure = comparison.firstFailure();
+    tried += comparison.tried();
+    hits += comparison.hits();
+  }
+  CHECK_EQUAL(failure, "");
+  CHECK(tried > 500000 && hits > 100000);
+}

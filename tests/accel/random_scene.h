@@ -125,7 +125,7 @@ class RandomScene {
 
   /// An object that stands under the map `toWorld`, at nesting `depth`.
   const Object3D* object(const Matrix& toWorld, int depth) {
-    if (last_ && random_.index(12) == 0) return last_;  // the same once more: equal t
+    if (last_ && random_.index(6) == 0) return last_ = copyOf(*last_);  // the same t twice
     const int kind = random_.index(depth < kDeepest ? 12 : 7);
     return last_ = kind < 3    ? sphere(toWorld)
                    : kind < 6  ? triangle(toWorld)
@@ -133,6 +133,20 @@ class RandomScene {
                    : kind < 8  ? mesh(toWorld)
                    : kind < 9  ? group(toWorld, depth)
                                : transform(toWorld, depth);
+  }
+  /// The same shape in another material; `object` itself where it is of another kind.
+  const Object3D* copyOf(const Object3D& object) {
+    if (const auto* ball = dynamic_cast<const Sphere*>(&object)) {
+      return &owner_.make<Sphere>(ball->getCenter(), ball->getRadius(), material());
+    }
+    if (const auto* flat = dynamic_cast<const Triangle*>(&object)) {
+      return &owner_.make<Triangle>(flat->getVertex(0), flat->getVertex(1), flat->getVertex(2),
+                                    material());
+    }
+    if (const auto* shape = dynamic_cast<const TriangleMesh*>(&object)) {
+      return &owner_.make<TriangleMesh>(&shape->getGeometry(), material());
+    }
+    return &object;
   }
   const Material* material() { return owner_.material(random_.index(4)); }
   double extent() { return size_ * random_.logUniform(1e-3, 0.5); }
