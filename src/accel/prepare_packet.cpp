@@ -126,7 +126,7 @@ bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
   packet.reach = float(reach);
   packet.edgeError = float(64 * kRounding * reach) * steepest;
   packet.determinantError = float(48 * kRounding) * steepest;
-  packet.numeratorError = float(64 * kRounding * reach);
+  packet.numeratorError = float(80 * kRounding * reach);
   packet.open = packet.blocked = 0;
   return true;
 }

@@ -12,10 +12,11 @@
 // D = the largest component of the direction, E = the largest component of an edge of the leaf:
 //   an edge function           64 e R D E   (sum of three products of a cross product)
 //   the determinant            48 e E E D
-//   the distance's numerator   64 e E E R
+//   the distance's numerator   80 e E E R
 // from the standard model of rounding, every operation with a relative error of e (Higham,
 // "Accuracy and Stability of Numerical Algorithms", 2002). They hold while E >= 2^-26 R; smaller
-// triangles are all left open.
+// triangles are all left open (a leaf's E is at least 2^-40, so that no product underflows), and so
+// is everything for a ray that starts more than 2^56 sizes of the tree away.
 #pragma once
 #include <cstdint>
 
@@ -51,7 +52,7 @@ struct TraversalRay {
   float reach;                        ///< R
   float edgeError;                    ///< 64 e R D
   float determinantError;             ///< 48 e D
-  float numeratorError;               ///< 64 e R
+  float numeratorError;               ///< 80 e R
   float inverseLengthSquared;         ///< of the direction
 
   int candidateCount;
