@@ -101,8 +101,8 @@ struct Kernels {
 };
 
 const Kernels& baselineKernels();
-const Kernels& avx2Kernels();    // only where the processor has AVX2 and FMA
-const Kernels& avx512Kernels();  // only where it has AVX-512 F, VL, DQ and BW
+const Kernels& avx2Kernels();    // only where the processor has AVX2, FMA, BMI and BMI2
+const Kernels& avx512Kernels();  // only where it has AVX-512 F, VL, DQ, BW too
 
 /// The most entries that a walk can have open: seven for each level of the deepest tree.
 constexpr int kMostLevels = 96;
