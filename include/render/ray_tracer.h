@@ -1,6 +1,8 @@
 // RayTracer: the colour of a ray. Reads like the assignment: ambient + lights + mirror +
 // transmitted. A small value: every worker thread has a copy of its own.
 #pragma once
+#include <optional>
+
 #include "geometry/object3d.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
@@ -43,7 +45,8 @@ class RayTracer {
   Vec3d lights(const Ray& ray, const Hit& hit) const;
   Vec3f sumOfTerms(const Ray& ray, const Hit& hit, const Vec3d& fromLights, int bounces,
                    float weight, float indexOfRefraction) const;
-  Hit litSide(const Ray& ray, const Hit& hit) const;
+  /// `hit`, or a copy in `turned` whose normal faces the ray, where back sides are to be lit too.
+  const Hit& litSide(const Ray& ray, const Hit& hit, std::optional<Hit>& turned) const;
   LightSample sampleLight(int index, const Hit& lit) const;
   Vec3d reflected(const Ray& ray, const Hit& lit, const LightSample& light,
                   const Vec3f& visible) const;

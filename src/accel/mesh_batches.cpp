@@ -78,9 +78,7 @@ class PacketAnswer {
     bool found = false;
     forEach([&](const MeshTree::Triangle& corners, double t) {
       if (!(t > query.tmin) || !query.accepts(t, order, corners.face)) return false;
-      query.t = t;
-      query.order = order;
-      query.part = corners.face;
+      query.found(t, order, corners.face);
       winner = corners;
       found = true;
       return false;

@@ -49,9 +49,7 @@ struct NearestInMesh : MeshQuery {
     if (!decide(c, corners, t) || !(t > query.tmin) || !query.accepts(t, order, corners.face)) {
       return;
     }
-    query.t = t;
-    query.order = order;
-    query.part = corners.face;
+    query.found(t, order, corners.face);
     winner = corners;
     found = true;
   }

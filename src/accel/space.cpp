@@ -131,13 +131,16 @@ bool Space::nearestOf(const Entry& entry, const Ray& ray, NearestQuery& query) c
     case Entry::Kind::plain:
       break;
   }
+  if (query.order == NearestQuery::kNothing) {
+    if (!entry.object->intersect(ray, *query.hit, query.tmin)) return false;
+    query.found(query.hit->getT(), entry.order, query.hit->getPart());
+    return true;
+  }
   Hit hit(query.inclusiveBound());
   if (!entry.object->intersect(ray, hit, query.tmin)) return false;
   if (!query.accepts(hit.getT(), entry.order, hit.getPart())) return false;
   *query.hit = hit;
-  query.t = hit.getT();
-  query.order = entry.order;
-  query.part = hit.getPart();
+  query.found(hit.getT(), entry.order, hit.getPart());
   return true;
 }
 

@@ -29,6 +29,12 @@ struct NearestQuery {
     return newT < t || (newT == t && order != kNothing &&
                         (newOrder < order || (newOrder == order && newPart < part)));
   }
+  /// Notes what was found and recorded in `hit`.
+  void found(double newT, std::uint32_t newOrder, std::uint32_t newPart) {
+    t = newT;
+    order = newOrder;
+    part = newPart;
+  }
   /// An upper bound that lets equal t through, for functions that demand less.
   double inclusiveBound() const;
 };

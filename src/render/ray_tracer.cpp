@@ -56,7 +56,8 @@ Vec3d RayTracer::ambient(const Hit& hit) const {
 }
 
 Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
-  const Hit lit = litSide(ray, hit);
+  std::optional<Hit> turned;
+  const Hit& lit = litSide(ray, hit, turned);
   Vec3d sum;
   for (int i = 0; i < scene_->getNumLights(); ++i) {
     const LightSample light = sampleLight(i, lit);
@@ -66,12 +67,11 @@ Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
   return sum;
 }
 
-Hit RayTracer::litSide(const Ray& ray, const Hit& hit) const {
-  Hit lit = hit;
-  if (options_.shadeBack && dot(hit.getNormal(), ray.getDirection()) > 0) {
-    lit.set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
-  }
-  return lit;
+const Hit& RayTracer::litSide(const Ray& ray, const Hit& hit, std::optional<Hit>& turned) const {
+  if (!options_.shadeBack || dot(hit.getNormal(), ray.getDirection()) <= 0) return hit;
+  turned = hit;
+  turned->set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
+  return *turned;
 }
 
 RayTracer::LightSample RayTracer::sampleLight(int index, const Hit& lit) const {

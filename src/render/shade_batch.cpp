@@ -22,15 +22,14 @@ void RayTracer::shadeBatch(const Ray* rays, const Hit* hits, const bool* found, 
 void RayTracer::addLight(int index, const Ray* rays, const Hit* hits, const bool* found, int count,
                          Vec3d* sums) const {
   int places[Object3D::kBatchSize];
-  Hit lit[Object3D::kBatchSize];
   LightSample samples[Object3D::kBatchSize];
   ShadowQuery ways[Object3D::kBatchSize];
   bool blocked[Object3D::kBatchSize];
   int asked = 0;
   for (int i = 0; i < count; ++i) {
     if (!found[i]) continue;
-    lit[asked] = litSide(rays[i], hits[i]);
-    samples[asked] = sampleLight(index, lit[asked]);
+    std::optional<Hit> turned;
+    samples[asked] = sampleLight(index, litSide(rays[i], hits[i], turned));
     if (!samples[asked].isInFront) continue;
     ways[asked] = shadowQuery(hits[i], samples[asked]);
     places[asked++] = i;
@@ -38,6 +37,9 @@ void RayTracer::addLight(int index, const Ray* rays, const Hit* hits, const bool
   geometry_->occludedBatch(ways, asked, blocked);
   for (int k = 0; k < asked; ++k) {
     if (blocked[k]) continue;
-    sums[places[k]] += reflected(rays[places[k]], lit[k], samples[k], Vec3f(1, 1, 1));
+    const int i = places[k];
+    std::optional<Hit> turned;
+    const Hit& lit = litSide(rays[i], hits[i], turned);
+    sums[i] += reflected(rays[i], lit, samples[k], Vec3f(1, 1, 1));
   }
 }
