@@ -1,7 +1,9 @@
 // The command line: every argument, its limits, and the texts that list them.
 #include "cli/options.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "check.h"
 #include "cli/option_table.h"
@@ -155,6 +157,16 @@ TEST("README.txt shows the same list of arguments as -help") {
   CHECK(contains(readme, optionList()));
   CHECK(contains(fullHelp(), optionList()));
   CHECK(contains(readme, "raytracer -input scene.txt -output out.tga -bounces 5 -weight 0.01"));
+}
+
+TEST("README.txt is plain ASCII with lines of at most 80 columns") {
+  std::istringstream lines(check::contentOf(check::testsFolder() + "/../README.txt"));
+  std::string line;
+  const auto isPlain = [](char c) { return c >= ' ' && c <= '~'; };
+  while (std::getline(lines, line)) {
+    const bool isGood = line.size() <= 80 && std::all_of(line.begin(), line.end(), isPlain);
+    CHECK_EQUAL(isGood ? "" : line, "");
+  }
 }
 
 TEST("the version is that of CMakeLists.txt") {
