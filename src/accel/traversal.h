@@ -17,6 +17,9 @@
 // "Accuracy and Stability of Numerical Algorithms", 2002). They hold while E >= 2^-26 R; smaller
 // triangles are all left open (a leaf's E is at least 2^-40, so that no product underflows), and so
 // is everything for a ray that starts more than 2^56 sizes of the tree away.
+//
+// The surface that a ray leaves lies at t = 0 give or take rounding, so it is never proven to be hit
+// beyond tmin: leaving it out can wait for the double function.
 #pragma once
 #include <cstdint>
 
@@ -24,9 +27,6 @@
 
 namespace accel {
 
-/// The surface that a ray leaves lies at t = 0 give or take rounding, so it is never proven to be
-/// hit beyond tmin: leaving it out can wait for the double function.
-///
 /// A primitive that the filter could not rule out: lane `lane` of the leaf at `words`.
 struct Candidate {
   const std::uint32_t* words;
