@@ -24,19 +24,28 @@ void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* h
     }
     return;
   }
-  intersectBatch(rays, count, hits);
+  const std::vector<Passage> passages = findBatch(rays, count, hits);
   std::vector<Vec3d> sums = localTerms(rays, hits, count);
   addContinued(hits, count, bounces, sums, [&](int i) {
-    return mirrored(rays[i].ray, hits[i], bounces, rays[i].weight, rays[i].indexOfRefraction);
+    return mirrored(rays[i].ray, hits[i], passages[std::size_t(i)], bounces, rays[i].weight,
+                    rays[i].indexOfRefraction);
   });
-  addContinued(hits, count, bounces, sums,
-               [&](int i) { return refracted(rays[i].ray, hits[i], bounces, rays[i].weight); });
+  addContinued(hits, count, bounces, sums, [&](int i) {
+    return refracted(rays[i].ray, hits[i], passages[std::size_t(i)], bounces, rays[i].weight);
+  });
   for (int i = 0; i < count; ++i) {
-    colors[i] = isFound(hits[i]) ? Vec3f(sums[std::size_t(i)]) : scene_->getBackgroundColor();
+    const Vec3d tint(passages[std::size_t(i)].tint);
+    colors[i] =
+        isFound(hits[i]) ? Vec3f(sums[std::size_t(i)] * tint) : scene_->getBackgroundColor();
   }
 }
 
 void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) const {
+  findBatch(rays, count, hits);
+}
+
+/// Finds what the rays hit, and what lies on both sides of it.
+std::vector<Passage> RayTracer::findBatch(const TracedRay* rays, int count, Hit* hits) const {
   std::vector<Ray> only;
   std::vector<double> tmins;
   only.reserve(std::size_t(count));
@@ -46,6 +55,11 @@ void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) cons
     tmins.push_back(rays[i].tmin);
   }
   geometry_->intersectBatch(only.data(), tmins.data(), count, hits);
+  std::vector<Passage> passages(only.size());
+  for (int i = 0; i < count; ++i) {
+    if (isFound(hits[i])) settle(rays[i].ray, Hit().getT(), hits[i], passages[std::size_t(i)]);
+  }
+  return passages;
 }
 
 /// Ambient light and all lamps.

@@ -16,7 +16,7 @@
 /// A named value in a block, and where it goes.
 struct Field {
   std::string_view name;
-  std::variant<double*, float*, Vec3d*, Vec3f*, std::string_view*> target;
+  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*> target;
   bool isRequired = true;
   const char* at = nullptr;  ///< where its value stands; null unless a good one was read
 };

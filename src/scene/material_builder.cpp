@@ -24,15 +24,19 @@ std::unique_ptr<Material> SceneBuilder::readMaterial() {
   in_.advance();
   Vec3f diffuse(1, 1, 1), specular, transparent, reflective;
   float exponent = 1, index = 1;
+  int priority = 0;
   Field fields[] = {
       {"diffuseColor", &diffuse, false},       {"specularColor", &specular, false},
       {"exponent", &exponent, false},          {"transparentColor", &transparent, false},
-      {"reflectiveColor", &reflective, false}, {"indexOfRefraction", &index, false}};
+      {"reflectiveColor", &reflective, false}, {"indexOfRefraction", &index, false},
+      {"priority", &priority, false}};
   in_.readFields(owner, fields);
   checkAtLeast(0, double(exponent), fields[2]);
   checkAbove(0, double(index), fields[5]);
-  return std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
-                                         index);
+  auto material =
+      std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective, index);
+  material->setPriority(priority);
+  return material;
 }
 
 /// A material written inside a Group, as in the course's older scenes.
