@@ -23,7 +23,10 @@ class RayTracer {
   Vec3f traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                  Hit& hit) const;
 
-  /// The second half of traceRay: the colour of a surface that is known to be hit.
+  /// The second half of traceRay: the colour of a surface that is known to be hit. Where its
+  /// material is a solid texture: the mean, by weight, of its parts' colours, each as if the
+  /// surface were of that part alone. The weights of the rays that continue are multiplied by the
+  /// part's, so that RenderOptions::minWeight ends rays from faint parts.
   Vec3f shade(const Ray& ray, const Hit& hit, int bounces, float weight,
               float indexOfRefraction) const;
 
@@ -47,6 +50,8 @@ class RayTracer {
   void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
 
  private:
+  class PartBatch;
+
   /// One light as a point sees it.
   struct LightSample {
     Vec3d direction;  ///< unit, to the light
@@ -55,6 +60,8 @@ class RayTracer {
     bool isInFront;  ///< n.l > 0
   };
 
+  Vec3f shadeTexture(const Ray& ray, const Hit& hit, int bounces, float weight,
+                     float indexOfRefraction) const;
   Vec3d ambient(const Hit& hit) const;
   Vec3d lights(const Ray& ray, const Hit& hit) const;
   /// `hit`, or a copy in `turned` whose normal faces the ray, where back sides are to be lit too.
@@ -73,6 +80,8 @@ class RayTracer {
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
   ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
   // Parts of traceBatch.
+  void shadeBatch(const TracedRay* rays, const Hit* hits, int count, int bounces,
+                  Vec3f* colors) const;
   std::vector<Vec3d> localTerms(const TracedRay* rays, const Hit* hits, int count) const;
   void addLight(int index, const TracedRay* rays, const Hit* hits, int count,
                 std::vector<Vec3d>& sums) const;

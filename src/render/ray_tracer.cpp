@@ -4,6 +4,7 @@
 
 #include "render/optics.h"
 #include "render/transmittance.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -41,10 +42,25 @@ Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float
 
 Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, int bounces, float weight,
                        float indexOfRefraction) const {
+  if (hit.getMaterial()->asTexture()) {
+    return shadeTexture(ray, hit, bounces, weight, indexOfRefraction);
+  }
   // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
   return Vec3f(ambient(hit) + lights(ray, hit) +
                follow(mirrored(ray, hit, bounces, weight, indexOfRefraction), bounces) +
                follow(refracted(ray, hit, bounces, weight), bounces));
+}
+
+Vec3f RayTracer::shadeTexture(const Ray& ray, const Hit& hit, int bounces, float weight,
+                              float indexOfRefraction) const {
+  const SolidTexture& texture = *hit.getMaterial()->asTexture();
+  Vec3d sum;
+  for (const WeightedMaterial& part : texture.partsAt(hit.getIntersectionPoint())) {
+    const Vec3f color = shade(ray, hit.withMaterial(part.material), bounces,
+                              weight * float(part.weight), indexOfRefraction);
+    sum += part.weight * Vec3d(color);
+  }
+  return Vec3f(sum);
 }
 
 Vec3d RayTracer::ambient(const Hit& hit) const {

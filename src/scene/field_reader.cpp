@@ -86,6 +86,7 @@ void BlockReader::readField(Field& field) {
     bool operator()(Vec3d* value) { return in.readVector(name, *value); }
     bool operator()(Vec3f* value) { return in.readVector(name, *value); }
     bool operator()(std::string_view* value) { return in.readName(name, *value); }
+    bool operator()(const std::function<bool()>* read) { return (*read)(); }
   };
   field.at = std::visit(Reader{*this, field.name}, field.target) ? place : nullptr;
 }
