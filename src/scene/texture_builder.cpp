@@ -79,7 +79,8 @@ bool SceneBuilder::readTextureTransform(std::string_view owner, TextureWords& wo
   }
   const bool isFirst = !words.hasTransform;
   words.hasTransform = true;
-  if (!in_.openBlock("Transform")) return false;
+  const bool isOpen = in_.openBlock("Transform");
+  if (!isOpen && !WordList(kStepWords).contains(in_.word())) return false;
   bool isGood = readSteps(words.toTexture, kStepWords, false);
   while (WordList(kObjectWords).contains(in_.word())) {
     in_.report(in_.at(), "expected only steps in the Transform of " + std::string(owner) + " (" +
