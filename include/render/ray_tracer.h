@@ -47,6 +47,8 @@ class RayTracer {
   void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
 
  private:
+  class PartBatch;
+
   /// One light as a point sees it.
   struct LightSample {
     Vec3d direction;  ///< unit, to the light
@@ -55,9 +57,14 @@ class RayTracer {
     bool isInFront;  ///< n.l > 0
   };
 
-  /// The second half of traceRay: the colour of a surface that is known to be hit.
+  /// The second half of traceRay: the colour of a surface that is known to be hit. Where its
+  /// material is a solid texture: the mean, by weight, of its parts' colours, each as if the
+  /// surface were of that part alone. The weights of the rays that continue are multiplied by the
+  /// part's, so that RenderOptions::minWeight ends rays from faint parts.
   Vec3f shade(const Ray& ray, const Hit& hit, const Passage& passage, int bounces, float weight,
               float indexOfRefraction) const;
+  Vec3f shadeTexture(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                     float weight, float indexOfRefraction) const;
   Vec3d ambient(const Hit& hit) const;
   Vec3d lights(const Ray& ray, const Hit& hit) const;
   /// `hit`, or a copy in `turned` whose normal faces the ray, where back sides are to be lit too.
@@ -87,6 +94,8 @@ class RayTracer {
   ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
   // Parts of traceBatch.
   std::vector<Passage> findBatch(const TracedRay* rays, int count, Hit* hits) const;
+  void shadeBatch(const TracedRay* rays, const Hit* hits, const Passage* passages, int count,
+                  int bounces, Vec3f* colors) const;
   std::vector<Vec3d> localTerms(const TracedRay* rays, const Hit* hits, int count) const;
   void addLight(int index, const TracedRay* rays, const Hit* hits, int count,
                 std::vector<Vec3d>& sums) const;

@@ -5,6 +5,8 @@
 #include "geometry/ray.h"
 #include "math/vec3.h"
 
+class SolidTexture;
+
 class Material {
  public:
   /// Colours are RGB factors, usually 0..1; black means "not at all". indexOfRefraction is that of
@@ -30,6 +32,9 @@ class Material {
   /// light, shadows and secondary rays are the ray tracer's business.
   virtual Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
                       const Vec3f& lightColor) const = 0;
+
+  /// This material as the solid texture that it is; null where it is the same at every point.
+  virtual const SolidTexture* asTexture() const { return nullptr; }
 
  private:
   Vec3f diffuseColor_, transparentColor_, reflectiveColor_;

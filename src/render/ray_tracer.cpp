@@ -3,6 +3,7 @@
 #include "render/ray_tracer.h"
 
 #include "render/transmittance.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -54,12 +55,27 @@ Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float
 
 Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
                        float weight, float indexOfRefraction) const {
+  if (hit.getMaterial()->asTexture()) {
+    return shadeTexture(ray, hit, passage, bounces, weight, indexOfRefraction);
+  }
   // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
   const Vec3d sum =
       ambient(hit) + lights(ray, hit) +
       follow(mirrored(ray, hit, passage, bounces, weight, indexOfRefraction), bounces) +
       follow(refracted(ray, hit, passage, bounces, weight), bounces);
   return Vec3f(sum * Vec3d(passage.tint));
+}
+
+Vec3f RayTracer::shadeTexture(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                              float weight, float indexOfRefraction) const {
+  const SolidTexture& texture = *hit.getMaterial()->asTexture();
+  Vec3d sum;
+  for (const WeightedMaterial& part : texture.partsAt(hit.getIntersectionPoint())) {
+    const Vec3f color = shade(ray, hit.withMaterial(part.material), passage, bounces,
+                              weight * float(part.weight), indexOfRefraction);
+    sum += part.weight * Vec3d(color);
+  }
+  return Vec3f(sum);
 }
 
 Vec3d RayTracer::ambient(const Hit& hit) const {

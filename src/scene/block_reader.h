@@ -3,9 +3,11 @@
 // There is one path for reading and for checking: a mistake is reported, and if the log does not
 // throw, reading goes on behind it. Every loop over words either consumes one or ends.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "math/vec3.h"
 #include "scene/mistake_log.h"
@@ -13,10 +15,13 @@
 #include "scene/tokenizer.h"
 #include "scene/wording.h"
 
-/// A named value in a block, and where it goes.
+/// A named value in a block, and where it goes; or a function that reads it from behind its name
+/// and returns false after a mistake.
 struct Field {
   std::string_view name;
-  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*> target;
+  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*,
+               const std::function<bool()>*>
+      target;
   bool isRequired = true;
   const char* at = nullptr;  ///< where its value stands; null unless a good one was read
 };
@@ -25,6 +30,7 @@ struct Field {
 struct FieldList {
   template <std::size_t length>
   FieldList(Field (&fields)[length]) : first(fields), size(length) {}
+  FieldList(std::vector<Field>& fields) : first(fields.data()), size(fields.size()) {}
   Field* first;
   std::size_t size;
 };

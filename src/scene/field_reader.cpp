@@ -1,4 +1,6 @@
 // Numbers and fields of a scene file.
+#include <algorithm>
+
 #include "scene/block_reader.h"
 #include "scene/number_reader.h"
 #include "scene/scene_words.h"
@@ -7,6 +9,13 @@ namespace {
 
 bool readAny(std::string_view word, double& value) { return readDouble(word, value); }
 bool readAny(std::string_view word, float& value) { return readFloat(word, value); }
+
+/// True for MaterialIndex where a field is called materialIndex.
+bool isCapitalised(std::string_view word, const Field* first, const Field* last) {
+  return std::any_of(first, last, [&](const Field& field) {
+    return word.substr(1) == field.name.substr(1) && word[0] == field.name[0] - 'a' + 'A';
+  });
+}
 
 }  // namespace
 
@@ -58,7 +67,7 @@ bool BlockReader::readFields(std::string_view owner, FieldList fields) {
     while (field != end && !isWord(word_, field->name)) ++field;
     if (field != end) {
       readField(*field);
-    } else if (atEnd() || isBlockWord(word_)) {
+    } else if (atEnd() || (isBlockWord(word_) && !isCapitalised(word_, fields.first, end))) {
       closeBlock(owner);
       return false;
     } else {
@@ -87,6 +96,7 @@ void BlockReader::readField(Field& field) {
     bool operator()(Vec3d* value) { return in.readVector(name, *value); }
     bool operator()(Vec3f* value) { return in.readVector(name, *value); }
     bool operator()(std::string_view* value) { return in.readName(name, *value); }
+    bool operator()(const std::function<bool()>* read) { return (*read)(); }
   };
   field.at = std::visit(Reader{*this, field.name}, field.target) ? place : nullptr;
 }

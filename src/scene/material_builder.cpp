@@ -11,7 +11,8 @@ void SceneBuilder::readMaterials() {
   in_.advance();
   const std::size_t mistakesBefore = in_.mistakeCount();
   const CountedBlock block{"Materials", "numMaterials", kMaterialWords, kMaterialWords};
-  const auto readItem = [this] {
+  const auto readItem = [&] {
+    areMaterialsSure_ = in_.mistakeCount() == mistakesBefore;
     scene_.materials_.push_back(readMaterial());
     ++listedMaterials_;
   };
@@ -21,6 +22,7 @@ void SceneBuilder::readMaterials() {
 
 std::unique_ptr<Material> SceneBuilder::readMaterial() {
   const std::string_view owner = in_.word();
+  if (WordList(kTextureWords).contains(owner)) return readTexture();
   in_.advance();
   Vec3f diffuse(1, 1, 1), specular, transparent, reflective;
   float exponent = 1, index = 1;

@@ -5,14 +5,20 @@
 inline constexpr std::string_view kSectionWords[] = {
     "OrthographicCamera", "PerspectiveCamera", "Lights", "Background", "Materials", "Group"};
 inline constexpr std::string_view kLightWords[] = {"DirectionalLight", "PointLight"};
-inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial", "Material"};
+inline constexpr std::string_view kTextureWords[] = {"Checkerboard", "Noise", "Marble", "Wood"};
+inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial", "Material", "Checkerboard",
+                                                      "Noise",         "Marble",   "Wood"};
 inline constexpr std::string_view kObjectWords[] = {"Group", "Transform", "Sphere",
                                                     "Plane", "Triangle",  "TriangleMesh"};
 /// What may stand in a Group after its count.
-inline constexpr std::string_view kGroupWords[] = {"Group",         "Transform",     "Sphere",
-                                                   "Plane",         "Triangle",      "TriangleMesh",
-                                                   "MaterialIndex", "PhongMaterial", "Material"};
-/// What may stand in a Transform.
+inline constexpr std::string_view kGroupWords[] = {
+    "Group",        "Transform",     "Sphere",        "Plane",    "Triangle",
+    "TriangleMesh", "MaterialIndex", "PhongMaterial", "Material", "Checkerboard",
+    "Noise",        "Marble",        "Wood"};
+/// What may stand in the Transform of a texture.
+inline constexpr std::string_view kStepWords[] = {"Translate", "Scale",   "UniformScale", "XRotate",
+                                                  "YRotate",   "ZRotate", "Rotate",       "Matrix"};
+/// What may stand in the Transform of an object.
 inline constexpr std::string_view kTransformWords[] = {
     "Translate", "Scale", "UniformScale", "XRotate", "YRotate", "ZRotate",  "Rotate",
     "Matrix",    "Group", "Transform",    "Sphere",  "Plane",   "Triangle", "TriangleMesh"};
@@ -42,7 +48,11 @@ inline constexpr std::string_view kFieldWords[] = {"center",
                                                    "vertex0",
                                                    "vertex1",
                                                    "vertex2",
-                                                   "obj_file"};
+                                                   "obj_file",
+                                                   "materialIndex",
+                                                   "octaves",
+                                                   "frequency",
+                                                   "amplitude"};
 
 /// True when `word` is `name`, or `name` as the course's older scenes write it: num_objects for
 /// numObjects. Names that begin with a capital have only one form.

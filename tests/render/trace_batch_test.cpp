@@ -30,6 +30,35 @@ SceneParser hallOfMirrors() {
       Transform { Translate -0.8 0.4 0 Scale 1 0.7 1.2 Sphere { center 0 0 0 radius 0.6 } } })");
 }
 
+/// The same with solid textures: one of plain materials, one of up to four of them, and glass whose
+/// cells differ.
+SceneParser hallOfTextures() {
+  return scene_text::parse(R"(
+    Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
+    Lights { numLights 2
+      PointLight { position 3 5 4 color 0.9 0.8 0.7 attenuation 1 0.1 0 }
+      DirectionalLight { direction -1 -2 -1 color 0.3 0.4 0.5 } }
+    Materials { numMaterials 9
+      Material { diffuseColor 0.5 0.4 0.3 reflectiveColor 0.4 0.5 0.6 }
+      Material { diffuseColor 0.1 0.1 0.1 transparentColor 0.8 0.7 0.9 indexOfRefraction 1.4
+                 reflectiveColor 0.2 0.2 0.2 specularColor 1 1 1 exponent 9 }
+      Material { diffuseColor 0.9 0.2 0.2 }
+      Material { diffuseColor 0 0.1 0 transparentColor 0.3 0.9 0.4 indexOfRefraction 1.2 }
+      Checkerboard { size 0.7 materialIndex 0 materialIndex 2 }
+      Checkerboard { Transform { UniformScale 4 } materialIndex 1 materialIndex 3 }
+      Noise { materialIndex 0 materialIndex 3 octaves 3 }
+      Marble { materialIndex 4 materialIndex 6 octaves 2 frequency 3 amplitude 2 }
+      Wood { materialIndex 1 materialIndex 7 octaves 2 frequency 9 amplitude 2 } }
+    Group { numObjects 7
+      MaterialIndex 4 Plane { normal 0 1 0 offset -1 }
+      MaterialIndex 8 Plane { normal 0 0 1 offset -4 }
+      MaterialIndex 5 Sphere { center 0 0 0 radius 0.9 }
+      MaterialIndex 7 Triangle { vertex0 -2 -1 1 vertex1 -1 -1 1 vertex2 -1.5 1 0.5 }
+      MaterialIndex 2 Transform { Translate 0.3 0 0 Scale 1 0.5 1 Sphere { center 0 0 0 radius 0.3 } }
+      MaterialIndex 6 Sphere { center 1.5 -0.4 1 radius 0.5 }
+      MaterialIndex 0 Sphere { center -1.5 1.5 0 radius 0.5 } })");
+}
+
 RayTracer::TracedRay eyeRay(int i, int size) {
   const int side = 16;
   const Vec3d target((i % side - 7.5) * 3 / size, (i / side - 7.5) * 3 / size, 0);
@@ -53,6 +82,7 @@ void compare(const SceneParser& scene, const Object3D& geometry, const RenderOpt
     CHECK(colors[i] == expected);
     CHECK_EQUAL(hits[i].getT(), hit.getT());
     CHECK(hits[i].getObject() == hit.getObject());
+    CHECK(hits[i].getMaterial() == hit.getMaterial());
   }
 }
 
@@ -119,6 +149,24 @@ TEST("the compiled scene and the plain tree give the same colours with every kin
     Hit a, b;
     Ray ray = eyeRay(i, 16).ray;
     CHECK(fast.traceRay(ray, 0, 0, 1, 1, a) == tree.traceRay(ray, 0, 0, 1, 1, b));
+  }
+}
+
+TEST("a batch with textures has the colours of its rays traced one by one") {
+  const SceneParser scene = hallOfTextures();
+  const CompiledScene compiled(*scene.getGroup(), 1);
+  for (const int count : {1, 4, 63, 255, 256}) {
+    compare(scene, compiled, scene_text::bouncing(4), count, 0);
+    compare(scene, *scene.getGroup(), scene_text::bouncing(4), count, 2);
+  }
+  for (int choice = 0; choice < 32; ++choice) {
+    RenderOptions options = scene_text::bouncing(choice % 4);
+    options.transparentShadows = (choice & 1) != 0;
+    options.shadeBack = (choice & 2) != 0;
+    options.nestedDielectrics = (choice & 8) != 0;
+    options.fresnel = (choice & 16) != 0;
+    options.minWeight = (choice & 4) != 0 ? 0.3f : 0.0f;
+    compare(scene, compiled, options, 256, 0);
   }
 }
 
