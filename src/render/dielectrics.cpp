@@ -5,6 +5,7 @@
 #include "render/media.h"
 #include "render/optics.h"
 #include "render/ray_tracer.h"
+#include "render/transmittance.h"
 
 namespace {
 
@@ -34,7 +35,7 @@ void passPlainly(const Ray& ray, const Hit& hit, Passage& passage) {
 }
 
 Passage::Side sideOf(const Media::Medium& medium, const Hit& hit) {
-  return {medium.object == hit.getObject(), medium.index()};
+  return {medium.object == hit.getObject(), medium.indexAt(hit.getIntersectionPoint())};
 }
 
 }  // namespace
@@ -76,12 +77,12 @@ bool RayTracer::passThrough(const Media& media, double start, const Hit& hit,
   const double length = std::max(hit.getT(), 0.0);
   passage.isClosed = media.isClosed(hit.getObject());
   if (!options_.nestedDielectrics) {
-    passage.tint = media.tintOfAll(t - reach, length);
+    passage.tint = media.tintOfAll(t - reach, hit.getIntersectionPoint(), length);
     return true;
   }
   const Media::Medium before = media.mediumAt(t - reach), behind = media.mediumAt(t + reach);
   if (options_.fresnel && before.material) {
-    passage.tint = absorption(before.material->getTransparentColor(), length);
+    passage.tint = absorption(transparencyAt(*before.material, hit.getIntersectionPoint()), length);
   }
   if (!passage.isClosed) return true;
   passage.before = sideOf(before, hit);

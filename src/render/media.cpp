@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "math/functions.h"
+#include "render/transmittance.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -117,13 +119,13 @@ bool Media::isClosed(const Object3D* object) const {
   return found != crossings_.end() && found->object == object;
 }
 
-Vec3f Media::tintOfAll(double t, double length) const {
+Vec3f Media::tintOfAll(double t, const Vec3d& end, double length) const {
   std::vector<Vec3f> tints;
   for (Place first = crossings_.begin(); first != crossings_.end();) {
     const Place last = endOfObject(first);
     int count = 0;
     for (Place c = first; c != last; ++c) count += c->t > t ? countOf(*c) : 0;
-    const Vec3f color = first->material->getTransparentColor();
+    const Vec3f color = transparencyAt(*first->material, end);
     if (count != 0) tints.push_back(absorption(color, std::abs(count) * length));
     first = last;
   }
@@ -134,6 +136,19 @@ Vec3f Media::tintOfAll(double t, double length) const {
   Vec3f product(1, 1, 1);
   for (const Vec3f& tint : tints) product *= tint;
   return product;
+}
+
+float Media::Medium::indexAt(const Vec3d& point) const {
+  if (!material) return 1;
+  const SolidTexture* const texture = material->asTexture();
+  if (!texture) return material->getIndexOfRefraction();
+  double sum = 0, weights = 0;
+  for (const WeightedMaterial& part : texture->partsAt(point)) {
+    if (!anyPositive(part.material->getTransparentColor())) continue;
+    sum += part.weight * double(part.material->getIndexOfRefraction());
+    weights += part.weight;
+  }
+  return weights > 0 ? float(sum / weights) : material->getIndexOfRefraction();
 }
 
 Vec3f absorption(const Vec3f& transparentColor, double length) {

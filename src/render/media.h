@@ -16,7 +16,9 @@ class Media : private CrossingVisitor {
     const Object3D* object = nullptr;
     const Material* material = nullptr;
 
-    float index() const { return material ? material->getIndexOfRefraction() : 1; }
+    /// The index of refraction near a point of the world: 1 outside; of a texture the mean of its
+    /// transparent parts' there.
+    float indexAt(const Vec3d& point) const;
   };
 
   /// Finds what `line`, whose direction is a unit vector, meets at t > 0. Time n log n and memory n
@@ -33,8 +35,9 @@ class Media : private CrossingVisitor {
   bool isClosed(const Object3D* object) const;
 
   /// What is left of light after `length` >= 0 around parameter t, where no surface is near: the
-  /// product of transparentColor^length over all objects around, each on its own.
-  Vec3f tintOfAll(double t, double length) const;
+  /// product of transparentColor^length over all objects around, each on its own. A texture has its
+  /// colour of the point `end` all the way.
+  Vec3f tintOfAll(double t, const Vec3d& end, double length) const;
 
  private:
   /// A stretch of the line inside one object.
