@@ -26,10 +26,8 @@ struct Pixel {
 
 class TileRenderer {
  public:
-  TileRenderer(const SceneParser& scene, const Object3D& geometry, const RayTracer& tracer,
-               const RenderTargets& targets)
+  TileRenderer(const SceneParser& scene, const RayTracer& tracer, const RenderTargets& targets)
       : camera_(*scene.getCamera()),
-        geometry_(geometry),
         tracer_(tracer),
         targets_(targets),
         width_(anyOf(targets).Width()),
@@ -39,21 +37,23 @@ class TileRenderer {
 
   void renderTile(int tile) const {
     const int left = tile % columns() * kTileSize, bottom = tile / columns() * kTileSize;
-    Ray rays[kTilePixels];
-    Hit hits[kTilePixels];
-    bool found[kTilePixels];
     Pixel pixels[kTilePixels];
+    RayTracer::TracedRay rays[kTilePixels];
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
       const Pixel pixel = {left + evenBits(place), bottom + evenBits(place >> 1)};
       if (pixel.i >= width_ || pixel.j >= height_) continue;
       pixels[count] = pixel;
-      rays[count++] = camera_.generateRay(imagePoint(pixel.i, pixel.j));
+      rays[count++] = {camera_.generateRay(imagePoint(pixel.i, pixel.j)), camera_.getTMin(), 1, 1,
+                       Vec3f(1, 1, 1)};
     }
-    geometry_.intersectBatch(rays, count, camera_.getTMin(), hits);
-    for (int k = 0; k < count; ++k) found[k] = hits[k].getT() < Hit().getT();
-    if (targets_.color) setColors(rays, hits, found, pixels, count);
-    for (int k = 0; k < count; ++k) setSurface(hits[k], found[k], pixels[k]);
+    Hit hits[kTilePixels];
+    if (targets_.color) {
+      setColors(rays, hits, pixels, count);
+    } else {
+      tracer_.intersectBatch(rays, count, hits);
+    }
+    for (int k = 0; k < count; ++k) setSurface(hits[k], pixels[k]);
   }
 
  private:
@@ -72,14 +72,15 @@ class TileRenderer {
     return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
   }
 
-  void setColors(const Ray* rays, const Hit* hits, const bool* found, const Pixel* pixels,
+  void setColors(const RayTracer::TracedRay* rays, Hit* hits, const Pixel* pixels,
                  int count) const {
     Vec3f colors[kTilePixels];
-    tracer_.shadeBatch(rays, hits, found, count, colors);
+    tracer_.traceBatch(rays, count, 0, hits, colors);
     for (int k = 0; k < count; ++k) targets_.color->setPixel(pixels[k].i, pixels[k].j, colors[k]);
   }
 
-  void setSurface(const Hit& hit, bool found, Pixel at) const {
+  void setSurface(const Hit& hit, Pixel at) const {
+    const bool found = hit.getT() < Hit().getT();
     if (targets_.depth) targets_.depth->setPixel(at.i, at.j, found ? depthColor(hit) : Vec3f());
     if (targets_.normals) {
       targets_.normals->setPixel(at.i, at.j, found ? normalColor(hit) : Vec3f());
@@ -98,7 +99,6 @@ class TileRenderer {
   }
 
   const Camera& camera_;
-  const Object3D& geometry_;
   const RayTracer tracer_;
   const RenderTargets targets_;
   const int width_, height_;
@@ -109,7 +109,7 @@ class TileRenderer {
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
             int threads, const RenderTargets& targets) {
   const RayTracer tracer(scene, geometry, options);
-  const TileRenderer renderer(scene, geometry, tracer, targets);
+  const TileRenderer renderer(scene, tracer, targets);
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
   runOnThreads(std::min(threads, renderer.tileCount()), stack, [&](int) {
