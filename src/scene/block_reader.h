@@ -90,7 +90,6 @@ class BlockReader {
   template <class T>
   bool readNumberOf(std::string_view what, T& value);
   void reportBadNumber(std::string_view what, const std::string& kind);
-  void passOverValue();
   void readField(Field& field);
   bool readName(std::string_view what, std::string_view& name);
   bool readChoice(std::string_view what, const WordChoice& choice);

@@ -38,15 +38,11 @@ bool BlockReader::readWholeNumber(std::string_view what, int& value) {
   return true;
 }
 
-/// Reports the current word, which should be a number, and passes over it.
+/// Reports the current word, which should be a number, and passes over it unless it plainly
+/// belongs to what comes next.
 void BlockReader::reportBadNumber(std::string_view what, const std::string& kind) {
   const std::string range = isNumber(word_) && kind == "a number" ? " within range" : "";
   reportExpected(kind + range + " for " + std::string(what));
-  passOverValue();
-}
-
-/// Passes over a word that should be a value, unless it plainly belongs to what comes next.
-void BlockReader::passOverValue() {
   if (word_ == "{") {
     skipBlock();
   } else if (!atEnd() && word_ != "}" && !isKnownWord(word_)) {
@@ -117,7 +113,6 @@ bool BlockReader::readChoice(std::string_view what, const WordChoice& choice) {
   const std::string_view meant = nearestWord(word_, choice.words);
   report(at(), "expected " + listed(choice.words) + " for " + std::string(what) + ", found " +
                    found() + (meant.empty() ? "" : "; did you mean " + quoted(meant) + "?"));
-  passOverValue();
   return false;
 }
 

@@ -8,8 +8,9 @@
 
 namespace {
 
-/// A highlight at grazing angles may be brighter than a float can hold; colours stay finite.
-constexpr double kBrightest = 1e30;
+/// Light and eye together at least so high, or there is no highlight: at grazing angles it grows as
+/// 1 / (roughness^2 height), up to 1e36 here, which a float can hold.
+constexpr double kLeastHeight = 1e-28;
 
 }  // namespace
 
@@ -40,7 +41,7 @@ Vec3d CookTorranceMaterial::highlight(const Vec3d& n, const Vec3d& l, const Vec3
   const Vec3d halfway = l + toEye;
   const double squared = dot(halfway, halfway), rise = dot(n, halfway);
   const double lightCosine = dot(n, l), eyeCosine = dot(n, toEye);
-  if (!(eyeCosine > 0) || !(rise > 1e-30)) return Vec3d();  // below, squares would underflow
+  if (!(eyeCosine > 0) || !(rise > kLeastHeight)) return Vec3d();
   const Vec3d sideways = cross(n, halfway);
   const double size = std::sqrt(squared);
   // l and u are unit vectors, so u.h is half the length of their sum.
@@ -48,7 +49,7 @@ Vec3d CookTorranceMaterial::highlight(const Vec3d& n, const Vec3d& l, const Vec3
   const double visible = std::min({1.0, twice * eyeCosine, twice * lightCosine});
   const double amount = density(rise * rise / squared, dot(sideways, sideways) / squared) *
                         (visible / (4 * eyeCosine));
-  return fresnel_.at(slant) * std::min(amount, kBrightest);
+  return fresnel_.at(slant) * amount;
 }
 
 /// pi D by the squared cosine and sine of the angle between n and h: each as exact as the other.

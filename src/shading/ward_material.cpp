@@ -8,8 +8,9 @@
 
 namespace {
 
-/// A highlight at grazing angles may be brighter than a float can hold; colours stay finite.
-constexpr double kBrightest = 1e30;
+/// Light and eye together at least so high, or there is no highlight: at grazing angles it grows as
+/// 1 / (roughness^2 height), up to 1e36 here, which a float can hold.
+constexpr double kLeastHeight = 1e-28;
 
 Vec3d farthestAxis(const Vec3d& normal) {
   int farthest = 0;
@@ -50,7 +51,7 @@ Vec3f WardMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLigh
   Vec3d reflected = Vec3d(getDiffuseColor()) * cosine;
   if (dot(n, toEye) > 0 && specularColor_ != Vec3f()) {
     const double amount = highlight(n, l + toEye) * cosine;
-    reflected += Vec3d(specularColor_) * std::min(amount, kBrightest);
+    reflected += Vec3d(specularColor_) * amount;
   }
   return Vec3f(Vec3d(lightColor) * reflected);
 }
@@ -58,7 +59,7 @@ Vec3f WardMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLigh
 /// pi f for a white specularColor, where both the light and the eye are above the surface.
 double WardMaterial::highlight(const Vec3d& n, const Vec3d& halfway) const {
   const double rise = dot(n, halfway), squared = rise * rise;
-  if (!(rise > 1e-30)) return 0;  // where squares would underflow
+  if (!(rise > kLeastHeight)) return 0;
   const double roughX = std::max(double(grain_.roughnessX), kLeastRoughness);
   const double roughY = std::max(double(grain_.roughnessY), kLeastRoughness);
   const Vec3d x = tangentAt(n), y = cross(n, x);

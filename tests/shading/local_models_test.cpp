@@ -124,6 +124,18 @@ TEST("colours are finite and not negative however low light and eye are, of any 
   CHECK_EQUAL(cases.firstFailure(), "");
 }
 
+TEST("roughness below 0.0001 counts as 0.0001, so that the highlight does not vanish") {
+  // Of 1e-10 nothing would be seen where h is 1e-4 aside from the normal, as here.
+  const Vec3d toEye(0, 0, 1);
+  const Vec3f l(hemisphere::direction(2e-4, 0.5));
+  const Materials least = allMaterials(1e-4f), less = allMaterials(1e-10f);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Vec3d expected = answer(*least[i], toEye, l);
+    CHECK(expected.y() > 1e3);
+    CHECK_NEAR_VECTOR(answer(*less[i], toEye, l), expected, 1e-2 * expected.y());
+  }
+}
+
 TEST("the light's colour multiplies every local model by component") {
   const Vec3f l(0.6f, 0, 0.8f), light(2, 0.5f, 0);
   for (const auto& material : allMaterials(0.4f)) {

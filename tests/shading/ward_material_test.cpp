@@ -72,6 +72,12 @@ TEST("seen and lit straight from above the Ward highlight is 1 / (4 ax ay)") {
   CHECK_NEAR_VECTOR(answer(material, {0, 0, 1}, {0, 0, 1}), Vec3d(2.5, 1.25, 0), 1e-6);
 }
 
+TEST("seen from behind a Ward surface has its diffuse light alone") {
+  const WardMaterial material = brushed(0.5f, 0.5f, {1, 0, 0}, {0.5f, 0.25f, 1});
+  CHECK_NEAR_VECTOR(answer(material, {0.8, 0, -0.6}, {0, 0, 1}), Vec3d(0.5, 0.25, 1), 1e-7);
+  CHECK(answer(material, {0.8, 0, 0.6}, {0, 0, 1}).x() > 0.6);
+}
+
 TEST("random Ward answers equal the published formula in long double") {
   Random random(531);
   check::Cases cases;
