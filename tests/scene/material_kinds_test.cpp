@@ -166,6 +166,20 @@ TEST("a distribution must be one of the two words") {
               "4: expected GGX or Beckmann for distribution, found 'x'\n");
 }
 
+TEST("reading finds its way again at every field behind an unknown one") {
+  const char* const fields[] = {"roughness x", "index x", "distribution x", "specularColor x 0 0"};
+  for (const std::string field : fields) {
+    const std::string mistakes =
+        scenes::mistakesIn(listOf("CookTorranceMaterial { shine 1 gloss\n" + field + " }"));
+    check::report(scenes::contains(mistakes, "5: expected "), __FILE__, __LINE__, mistakes);
+  }
+  for (const std::string field : {"roughnessX x", "roughnessY x", "tangent x 0 0"}) {
+    const std::string mistakes =
+        scenes::mistakesIn(listOf("WardMaterial { shine 1\n" + field + " }"));
+    check::report(scenes::contains(mistakes, "5: expected "), __FILE__, __LINE__, mistakes);
+  }
+}
+
 TEST("misspelt kinds and fields of others are named with the word that was meant") {
   CHECK_MISTAKE(listOf("BlinPhongMaterial { }"), 4, "did you mean 'BlinnPhongMaterial'?");
   CHECK_MISTAKE(listOf("CookTorrance { }"), 4, "unknown word 'CookTorrance' in Materials");
