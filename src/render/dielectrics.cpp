@@ -6,6 +6,7 @@
 #include "render/optics.h"
 #include "render/ray_tracer.h"
 #include "render/transmittance.h"
+#include "shading/fresnel.h"
 
 namespace {
 
@@ -23,8 +24,9 @@ Vec3f grey(double value) { return Vec3f(Vec3d(value, value, value)); }
 
 double reflectance(const Ray& ray, const Hit& hit, const Passage& passage) {
   const Material& material = *hit.getMaterial();
-  return fresnelReflectance(cosineOf(ray, hit), passage.before.indexAt(material),
-                            passage.behind.indexAt(material));
+  const double before = double(passage.before.indexAt(material));
+  return dielectricReflectance(cosineOf(ray, hit),
+                               double(passage.behind.indexAt(material)) / before);
 }
 
 /// Index 1 on one side and the material's own on the other, by the normal.
@@ -95,7 +97,7 @@ Vec3f RayTracer::mirrorFactor(const Ray& ray, const Hit& hit, const Passage& pas
   const Vec3f color = hit.getMaterial()->getReflectiveColor();
   if (!options_.fresnel) return color;
   if (isTransparent(hit)) return grey(reflectance(ray, hit, passage));
-  return anyPositive(color) ? schlickReflectance(cosineOf(ray, hit), color) : Vec3f();
+  return anyPositive(color) ? Vec3f(schlickReflectance(cosineOf(ray, hit), Vec3d(color))) : Vec3f();
 }
 
 /// The colour of the refracted ray in that of the surface. With `fresnel` a closed object dims the

@@ -15,11 +15,17 @@
 #include "scene/tokenizer.h"
 #include "scene/wording.h"
 
+/// One of several words: `index` becomes its place in the list.
+struct WordChoice {
+  WordList words;
+  std::size_t* index;
+};
+
 /// A named value in a block, and where it goes; or a function that reads it from behind its name
 /// and returns false after a mistake.
 struct Field {
   std::string_view name;
-  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*,
+  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*, WordChoice,
                const std::function<bool()>*>
       target;
   bool isRequired = true;
@@ -90,6 +96,7 @@ class BlockReader {
   void reportBadNumber(std::string_view what, const std::string& kind);
   void readField(Field& field);
   bool readName(std::string_view what, std::string_view& name);
+  bool readChoice(std::string_view what, const WordChoice& choice);
   void skipUnknownField(std::string_view owner, FieldList fields);
   std::string found() const;
 

@@ -5,16 +5,36 @@
 inline constexpr std::string_view kSectionWords[] = {
     "OrthographicCamera", "PerspectiveCamera", "Lights", "Background", "Materials", "Group"};
 inline constexpr std::string_view kLightWords[] = {"DirectionalLight", "PointLight"};
-inline constexpr std::string_view kTextureWords[] = {"Checkerboard", "Noise", "Marble", "Wood"};
-inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial", "Material", "Checkerboard",
-                                                      "Noise",         "Marble",   "Wood"};
+inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial",
+                                                      "Material",
+                                                      "BlinnPhongMaterial",
+                                                      "CookTorranceMaterial",
+                                                      "WardMaterial",
+                                                      "OrenNayarMaterial",
+                                                      "Checkerboard",
+                                                      "Noise",
+                                                      "Marble",
+                                                      "Wood"};
 inline constexpr std::string_view kObjectWords[] = {"Group", "Transform", "Sphere",
                                                     "Plane", "Triangle",  "TriangleMesh"};
 /// What may stand in a Group after its count.
-inline constexpr std::string_view kGroupWords[] = {
-    "Group",        "Transform",     "Sphere",        "Plane",    "Triangle",
-    "TriangleMesh", "MaterialIndex", "PhongMaterial", "Material", "Checkerboard",
-    "Noise",        "Marble",        "Wood"};
+inline constexpr std::string_view kGroupWords[] = {"Group",
+                                                   "Transform",
+                                                   "Sphere",
+                                                   "Plane",
+                                                   "Triangle",
+                                                   "TriangleMesh",
+                                                   "MaterialIndex",
+                                                   "PhongMaterial",
+                                                   "Material",
+                                                   "BlinnPhongMaterial",
+                                                   "CookTorranceMaterial",
+                                                   "WardMaterial",
+                                                   "OrenNayarMaterial",
+                                                   "Checkerboard",
+                                                   "Noise",
+                                                   "Marble",
+                                                   "Wood"};
 /// What may stand in the Transform of a texture.
 inline constexpr std::string_view kStepWords[] = {"Translate", "Scale",   "UniformScale", "XRotate",
                                                   "YRotate",   "ZRotate", "Rotate",       "Matrix"};
@@ -52,7 +72,13 @@ inline constexpr std::string_view kFieldWords[] = {"center",
                                                    "materialIndex",
                                                    "octaves",
                                                    "frequency",
-                                                   "amplitude"};
+                                                   "amplitude",
+                                                   "roughness",
+                                                   "roughnessX",
+                                                   "roughnessY",
+                                                   "tangent",
+                                                   "distribution",
+                                                   "index"};
 
 /// True when `word` is `name`, or `name` as the course's older scenes write it: num_objects for
 /// numObjects. Names that begin with a capital have only one form.

@@ -25,7 +25,7 @@ std::unique_ptr<Material> plainMaterial() {
 
 }  // namespace
 
-/// Reads the texture whose name is the current word, one of kTextureWords.
+/// Reads the texture whose name is the current word, one of the four kinds.
 std::unique_ptr<Material> SceneBuilder::readTexture() {
   const std::string_view owner = in_.word();
   in_.advance();

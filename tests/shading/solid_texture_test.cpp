@@ -180,6 +180,15 @@ TEST("parts that are equal are one, with all their weight") {
   const auto parts = same.partsAt({0.3, 0.4, 0.7});
   CHECK_EQUAL(parts.size(), std::size_t(1));
   CHECK_EQUAL(parts[0].weight, 1.0);
+  // A texture of one material twice changes no bit of the weights above it.
+  const Noise direct(Matrix(), pair.first, pair.second, 5);
+  const Noise twice(Matrix(), pair.second, pair.second, 3);
+  const Noise outer(Matrix(), pair.first, {&twice, 2}, 5);
+  Random random(913);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d p = random.inCube(-9, 9);
+    CHECK_EQUAL(weightOf(pair.white, outer, p), weightOf(pair.white, direct, p));
+  }
   // At whole points every noise is a half: b = (black + white) / 2, c = (b + black) / 2.
   const Noise b(Matrix(), pair.first, pair.second, 5);
   const Noise c(Matrix(), {&b, 2}, pair.first, 5);
