@@ -23,7 +23,7 @@ class CompiledScene : public Object3D {
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;
-  void intersectBatch(const Ray* rays, int count, double tmin, Hit* hits) const override;
+  void intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const override;
   void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override;

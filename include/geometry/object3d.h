@@ -27,9 +27,9 @@ class Object3D {
   virtual bool occluded(const Ray& ray, double tmin, double tmax) const;
 
   /// Asks intersect for `count` rays, each with its own hit: hits[i] is changed as
-  /// intersect(rays[i], hits[i], tmin) would. Meant for rays that run close together, up to
+  /// intersect(rays[i], hits[i], tmins[i]) would. Meant for rays that belong together, up to
   /// kBatchSize of them, which some objects answer faster than one by one.
-  virtual void intersectBatch(const Ray* rays, int count, double tmin, Hit* hits) const;
+  virtual void intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const;
   /// Asks occluded for `count` queries and stores each answer in blocked[i].
   virtual void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const;
   static constexpr int kBatchSize = 256;

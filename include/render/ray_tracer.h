@@ -2,6 +2,7 @@
 // transmitted. A small value: every worker thread has a copy of its own.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "geometry/object3d.h"
 #include "render/render_options.h"
@@ -26,11 +27,24 @@ class RayTracer {
   Vec3f shade(const Ray& ray, const Hit& hit, int bounces, float weight,
               float indexOfRefraction) const;
 
-  /// shade for `count` <= Object3D::kBatchSize eye rays that were intersected together: colors[i]
-  /// becomes shade(rays[i], hits[i], 0, 1, 1) where found[i], else the background. The shadow rays
-  /// to each light go through the scene together.
-  void shadeBatch(const Ray* rays, const Hit* hits, const bool* found, int count,
-                  Vec3f* colors) const;
+  /// A ray as the recursion knows it.
+  struct TracedRay {
+    Ray ray;
+    double tmin;
+    float weight;             ///< the part that its colour has in the pixel
+    float indexOfRefraction;  ///< of the medium it travels in
+    Vec3f factor;  ///< of its colour in that of the ray it continues; white for an eye ray
+  };
+
+  /// traceRay for `count` <= Object3D::kBatchSize rays that belong together, all after the same
+  /// number of bounces: colors[i] becomes the colour that arrives along rays[i], with the very bits
+  /// that traceRay gives. The rays go through the scene together, and so do the shadow rays to each
+  /// light, the mirrored rays and the refracted rays that begin where they end. `hits` has room for
+  /// `count` hits, passed in fresh; there what was hit is stored.
+  void traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits, Vec3f* colors) const;
+
+  /// Finds what the same rays hit, and no colours.
+  void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
 
  private:
   /// One light as a point sees it.
@@ -43,22 +57,29 @@ class RayTracer {
 
   Vec3d ambient(const Hit& hit) const;
   Vec3d lights(const Ray& ray, const Hit& hit) const;
-  Vec3f sumOfTerms(const Ray& ray, const Hit& hit, const Vec3d& fromLights, int bounces,
-                   float weight, float indexOfRefraction) const;
   /// `hit`, or a copy in `turned` whose normal faces the ray, where back sides are to be lit too.
   const Hit& litSide(const Ray& ray, const Hit& hit, std::optional<Hit>& turned) const;
   LightSample sampleLight(int index, const Hit& lit) const;
   Vec3d reflected(const Ray& ray, const Hit& lit, const LightSample& light,
                   const Vec3f& visible) const;
-  Vec3d mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
-               float indexOfRefraction) const;
-  Vec3d transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const;
+  /// The rays that continue `ray` where it hits; nothing where there is none, or none is wanted.
+  std::optional<TracedRay> mirrored(const Ray& ray, const Hit& hit, int bounces, float weight,
+                                    float indexOfRefraction) const;
+  std::optional<TracedRay> refracted(const Ray& ray, const Hit& hit, int bounces,
+                                     float weight) const;
+  Vec3d follow(std::optional<TracedRay> next, int bounces) const;
 
   bool mayTrace(const Vec3f& color, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
   ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
-  void addLight(int index, const Ray* rays, const Hit* hits, const bool* found, int count,
-                Vec3d* sums) const;
+  // Parts of traceBatch.
+  std::vector<Vec3d> localTerms(const TracedRay* rays, const Hit* hits, int count) const;
+  void addLight(int index, const TracedRay* rays, const Hit* hits, int count,
+                std::vector<Vec3d>& sums) const;
+  template <class Continue>
+  void addContinued(const Hit* hits, int count, int bounces, std::vector<Vec3d>& sums,
+                    const Continue& continued) const;
+
   Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
   float epsilonAt(const Hit& hit) const;
 

@@ -130,12 +130,15 @@ bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
   return content_->root.occluded(ray, tmin, tmax);
 }
 
-void CompiledScene::intersectBatch(const Ray* rays, int count, double tmin, Hit* hits) const {
+void CompiledScene::intersectBatch(const Ray* rays, const double* tmins, int count,
+                                   Hit* hits) const {
   constexpr int kMost = accel::RayPacket::kMostRays;
   for (int first = 0; first < count; first += kMost) {
     accel::NearestQuery queries[kMost];
     const int some = std::min(kMost, count - first);
-    for (int i = 0; i < some; ++i) queries[i] = {hits + first + i, tmin, hits[first + i].getT()};
+    for (int i = 0; i < some; ++i) {
+      queries[i] = {hits + first + i, tmins[first + i], hits[first + i].getT()};
+    }
     content_->root.nearest(rays + first, some, queries);
   }
 }

@@ -6,8 +6,8 @@ bool Object3D::occluded(const Ray& ray, double tmin, double tmax) const {
   return intersect(ray, hit, tmin);
 }
 
-void Object3D::intersectBatch(const Ray* rays, int count, double tmin, Hit* hits) const {
-  for (int i = 0; i < count; ++i) intersect(rays[i], hits[i], tmin);
+void Object3D::intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const {
+  for (int i = 0; i < count; ++i) intersect(rays[i], hits[i], tmins[i]);
 }
 
 void Object3D::occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const {

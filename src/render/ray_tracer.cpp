@@ -41,14 +41,10 @@ Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float
 
 Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, int bounces, float weight,
                        float indexOfRefraction) const {
-  return sumOfTerms(ray, hit, lights(ray, hit), bounces, weight, indexOfRefraction);
-}
-
-/// Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
-Vec3f RayTracer::sumOfTerms(const Ray& ray, const Hit& hit, const Vec3d& fromLights, int bounces,
-                            float weight, float indexOfRefraction) const {
-  return Vec3f(ambient(hit) + fromLights + mirror(ray, hit, bounces, weight, indexOfRefraction) +
-               transmitted(ray, hit, bounces, weight));
+  // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
+  return Vec3f(ambient(hit) + lights(ray, hit) +
+               follow(mirrored(ray, hit, bounces, weight, indexOfRefraction), bounces) +
+               follow(refracted(ray, hit, bounces, weight), bounces));
 }
 
 Vec3d RayTracer::ambient(const Hit& hit) const {
@@ -99,31 +95,39 @@ ShadowQuery RayTracer::shadowQuery(const Hit& hit, const LightSample& light) con
   return {leavingRay(hit, light.direction), epsilonAt(hit), light.distance};
 }
 
-Vec3d RayTracer::mirror(const Ray& ray, const Hit& hit, int bounces, float weight,
-                        float indexOfRefraction) const {
-  const Vec3f color = hit.getMaterial()->getReflectiveColor();
-  const float mirrorWeight = weight * length(color);
-  if (!mayTrace(color, bounces, mirrorWeight)) return Vec3d();
-  Ray mirrored = leavingRay(hit, mirrorDirection(hit.getNormal(), ray.getDirection()));
-  Hit next;
-  return Vec3d(color) *
-         traceRay(mirrored, epsilonAt(hit), bounces + 1, mirrorWeight, indexOfRefraction, next);
+/// The mirror's and the transmitted term: what the next ray brings, `bounces` before it.
+Vec3d RayTracer::follow(std::optional<TracedRay> next, int bounces) const {
+  if (!next) return Vec3d();
+  Hit hit;
+  return Vec3d(next->factor) * traceRay(next->ray, float(next->tmin), bounces + 1, next->weight,
+                                        next->indexOfRefraction, hit);
 }
 
-Vec3d RayTracer::transmitted(const Ray& ray, const Hit& hit, int bounces, float weight) const {
+std::optional<RayTracer::TracedRay> RayTracer::mirrored(const Ray& ray, const Hit& hit, int bounces,
+                                                        float weight,
+                                                        float indexOfRefraction) const {
+  const Vec3f color = hit.getMaterial()->getReflectiveColor();
+  const float mirrorWeight = weight * length(color);
+  if (!mayTrace(color, bounces, mirrorWeight)) return std::nullopt;
+  const Vec3d direction = mirrorDirection(hit.getNormal(), ray.getDirection());
+  return TracedRay{leavingRay(hit, direction), epsilonAt(hit), mirrorWeight, indexOfRefraction,
+                   color};
+}
+
+std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const Hit& hit,
+                                                         int bounces, float weight) const {
   const Vec3f color = hit.getMaterial()->getTransparentColor();
   const float refractedWeight = weight * length(color);
-  if (!mayTrace(color, bounces, refractedWeight)) return Vec3d();
+  if (!mayTrace(color, bounces, refractedWeight)) return std::nullopt;
   const bool outside = dot(hit.getNormal(), ray.getDirection()) < 0;
   const float inner = hit.getMaterial()->getIndexOfRefraction();
   const float before = outside ? 1 : inner, behind = outside ? inner : 1;
   const Vec3d normal = outside ? hit.getNormal() : -hit.getNormal();
   Vec3d direction;
-  if (!transmittedDirection(normal, ray.getDirection(), before, behind, direction)) return Vec3d();
-  Ray refracted = leavingRay(hit, direction);
-  Hit next;
-  return Vec3d(color) *
-         traceRay(refracted, epsilonAt(hit), bounces + 1, refractedWeight, behind, next);
+  if (!transmittedDirection(normal, ray.getDirection(), before, behind, direction)) {
+    return std::nullopt;
+  }
+  return TracedRay{leavingRay(hit, direction), epsilonAt(hit), refractedWeight, behind, color};
 }
 
 /// The one place where recursion stops.

@@ -31,10 +31,8 @@ Vec2<int> sizeOf(const RenderTargets& targets) {
 
 class TileRenderer {
  public:
-  TileRenderer(const SceneParser& scene, const Object3D& geometry, const RayTracer& tracer,
-               const RenderTargets& targets)
+  TileRenderer(const SceneParser& scene, const RayTracer& tracer, const RenderTargets& targets)
       : camera_(*scene.getCamera()),
-        geometry_(geometry),
         tracer_(tracer),
         targets_(targets),
         width_(sizeOf(targets).x()),
@@ -44,36 +42,39 @@ class TileRenderer {
 
   void renderTile(int tile) const {
     const int left = tile % columns() * kTileSize, bottom = tile / columns() * kTileSize;
-    Ray rays[kTilePixels];
-    Hit hits[kTilePixels];
-    bool found[kTilePixels];
     Pixel pixels[kTilePixels];
+    RayTracer::TracedRay rays[kTilePixels];
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
       const Pixel pixel = {left + evenBits(place), bottom + evenBits(place >> 1)};
       if (pixel.i >= width_ || pixel.j >= height_) continue;
       pixels[count] = pixel;
-      rays[count++] =
-          camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_));
+      rays[count++] = {
+          camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_)),
+          camera_.getTMin(), 1, 1, Vec3f(1, 1, 1)};
     }
-    geometry_.intersectBatch(rays, count, camera_.getTMin(), hits);
-    for (int k = 0; k < count; ++k) found[k] = hits[k].getT() < Hit().getT();
-    if (targets_.color) setColors(rays, hits, found, pixels, count);
-    for (int k = 0; k < count; ++k) setSurface(hits[k], found[k], pixels[k]);
+    Hit hits[kTilePixels];
+    if (targets_.color) {
+      setColors(rays, hits, pixels, count);
+    } else {
+      tracer_.intersectBatch(rays, count, hits);
+    }
+    for (int k = 0; k < count; ++k) setSurface(hits[k], pixels[k]);
   }
 
  private:
   int columns() const { return (width_ + kTileSize - 1) / kTileSize; }
   int rows() const { return (height_ + kTileSize - 1) / kTileSize; }
 
-  void setColors(const Ray* rays, const Hit* hits, const bool* found, const Pixel* pixels,
+  void setColors(const RayTracer::TracedRay* rays, Hit* hits, const Pixel* pixels,
                  int count) const {
     Vec3f colors[kTilePixels];
-    tracer_.shadeBatch(rays, hits, found, count, colors);
+    tracer_.traceBatch(rays, count, 0, hits, colors);
     for (int k = 0; k < count; ++k) targets_.color->setPixel(pixels[k].i, pixels[k].j, colors[k]);
   }
 
-  void setSurface(const Hit& hit, bool found, Pixel at) const {
+  void setSurface(const Hit& hit, Pixel at) const {
+    const bool found = hit.getT() < Hit().getT();
     if (targets_.depth) targets_.depth->setPixel(at.i, at.j, found ? depthColor(hit) : Vec3f());
     if (targets_.normals) {
       targets_.normals->setPixel(at.i, at.j, found ? normalColor(hit) : Vec3f());
@@ -92,7 +93,6 @@ class TileRenderer {
   }
 
   const Camera& camera_;
-  const Object3D& geometry_;
   const RayTracer tracer_;
   const RenderTargets targets_;
   const int width_, height_;
@@ -116,10 +116,10 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   RenderTargets central = targets;
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
-    const SampledScene sampled = {*scene.getCamera(), geometry, tracer, size.x(), size.y()};
+    const SampledScene sampled = {*scene.getCamera(), tracer, size.x(), size.y()};
     renderTiles(SampledRenderer(sampled, options.sampling, targets), options, threads);
     central.color = central.samples = nullptr;
     if (!anyOf(central)) return;
   }
-  renderTiles(TileRenderer(scene, geometry, tracer, central), options, threads);
+  renderTiles(TileRenderer(scene, tracer, central), options, threads);
 }

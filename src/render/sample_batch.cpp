@@ -2,19 +2,16 @@
 #include "render/sample_batch.h"
 
 void SampleBatch::flush() {
-  Ray rays[Object3D::kBatchSize];
+  RayTracer::TracedRay rays[Object3D::kBatchSize];
   Hit hits[Object3D::kBatchSize];
-  bool found[Object3D::kBatchSize];
   Vec3f colors[Object3D::kBatchSize];
   for (int k = 0; k < count_; ++k) {
     const Sample& sample = samples_[k];
-    rays[k] = scene_.camera.generateRay(imagePoint(sample.at.i + sample.offset.x(),
-                                                   sample.at.j + sample.offset.y(), scene_.width,
-                                                   scene_.height));
+    const Vec2d point = imagePoint(sample.at.i + sample.offset.x(), sample.at.j + sample.offset.y(),
+                                   scene_.width, scene_.height);
+    rays[k] = {scene_.camera.generateRay(point), scene_.camera.getTMin(), 1, 1, Vec3f(1, 1, 1)};
   }
-  scene_.geometry.intersectBatch(rays, count_, scene_.camera.getTMin(), hits);
-  for (int k = 0; k < count_; ++k) found[k] = hits[k].getT() < Hit().getT();
-  scene_.tracer.shadeBatch(rays, hits, found, count_, colors);
+  scene_.tracer.traceBatch(rays, count_, 0, hits, colors);
   for (int k = 0; k < count_; ++k) receiver_(samples_[k], colors[k]);
   count_ = 0;
 }

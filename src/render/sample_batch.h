@@ -16,7 +16,6 @@ struct Sample {
 /// What a sample's colour comes from. Nothing is owned.
 struct SampledScene {
   const Camera& camera;
-  const Object3D& geometry;
   const RayTracer& tracer;
   int width, height;  ///< of the picture, in pixels
 };

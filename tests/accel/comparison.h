@@ -110,7 +110,8 @@ class Comparison {
     }
     for (const auto& scene : compiled_) {
       std::vector<Hit> hits = bounds;
-      scene->intersectBatch(rays.data(), int(rays.size()), tmin, hits.data());
+      const std::vector<double> tmins(rays.size(), tmin);
+      scene->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits.data());
       for (std::size_t i = 0; i < rays.size(); ++i) {
         cases_.expect(sameBits(hits[i], expected[i]), [&] {
           return where(*scene) + describe(rays[i], tmin, bounds[i].getT()) + ", " +

@@ -1,13 +1,17 @@
 // Calls of our compiled scene, one by one or a tile at a time.
 #include "our_side.h"
 
+#include <algorithm>
+
 namespace bench {
 namespace {
 
 std::size_t nearestOfTile(const CompiledScene& scene, const RaySet& set, std::size_t start,
                           int count) {
   Hit hits[Object3D::kBatchSize];
-  scene.intersectBatch(set.rays.data() + start, count, set.tmin, hits);
+  double tmins[Object3D::kBatchSize];
+  std::fill_n(tmins, count, set.tmin);
+  scene.intersectBatch(set.rays.data() + start, tmins, count, hits);
   std::size_t found = 0;
   for (int i = 0; i < count; ++i) found += hits[i].getMaterial() != nullptr;
   return found;

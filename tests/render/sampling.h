@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/adaptive_sampling.h"
+#include "render/filter.h"
 #include "render/renderer.h"
 #include "scene_text.h"
 

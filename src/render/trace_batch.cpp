@@ -1,0 +1,115 @@
+// RayTracer::traceBatch: the same recursion for many rays at once, each generation in batches.
+#include <vector>
+
+#include "render/ray_tracer.h"
+
+namespace {
+
+/// Fewer rays than this are traced one by one.
+constexpr int kFewRays = 4;
+/// After this many bounces rays go one by one, so that memory does not grow with -bounces.
+constexpr int kMostGenerations = 64;
+
+bool isFound(const Hit& hit) { return hit.getT() < Hit().getT(); }
+
+}  // namespace
+
+void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits,
+                           Vec3f* colors) const {
+  if (count < kFewRays || bounces >= kMostGenerations) {
+    for (int i = 0; i < count; ++i) {
+      Ray ray = rays[i].ray;
+      colors[i] = traceRay(ray, float(rays[i].tmin), bounces, rays[i].weight,
+                           rays[i].indexOfRefraction, hits[i]);
+    }
+    return;
+  }
+  intersectBatch(rays, count, hits);
+  std::vector<Vec3d> sums = localTerms(rays, hits, count);
+  addContinued(hits, count, bounces, sums, [&](int i) {
+    return mirrored(rays[i].ray, hits[i], bounces, rays[i].weight, rays[i].indexOfRefraction);
+  });
+  addContinued(hits, count, bounces, sums,
+               [&](int i) { return refracted(rays[i].ray, hits[i], bounces, rays[i].weight); });
+  for (int i = 0; i < count; ++i) {
+    colors[i] = isFound(hits[i]) ? Vec3f(sums[std::size_t(i)]) : scene_->getBackgroundColor();
+  }
+}
+
+void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) const {
+  std::vector<Ray> only;
+  std::vector<double> tmins;
+  only.reserve(std::size_t(count));
+  tmins.reserve(std::size_t(count));
+  for (int i = 0; i < count; ++i) {
+    only.push_back(rays[i].ray);
+    tmins.push_back(rays[i].tmin);
+  }
+  geometry_->intersectBatch(only.data(), tmins.data(), count, hits);
+}
+
+/// Ambient light and all lamps.
+std::vector<Vec3d> RayTracer::localTerms(const TracedRay* rays, const Hit* hits, int count) const {
+  const bool plainShadows = options_.shadows && !options_.transparentShadows;
+  const auto size = std::size_t(count);
+  std::vector<Vec3d> sums(size);
+  for (int light = 0; plainShadows && light < scene_->getNumLights(); ++light) {
+    addLight(light, rays, hits, count, sums);
+  }
+  for (int i = 0; i < count; ++i) {
+    if (!isFound(hits[i])) continue;
+    Vec3d& sum = sums[std::size_t(i)];
+    sum = ambient(hits[i]) + (plainShadows ? sum : lights(rays[i].ray, hits[i]));
+  }
+  return sums;
+}
+
+/// Adds to each sum what light `index` contributes there.
+void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int count,
+                         std::vector<Vec3d>& sums) const {
+  struct Asked {
+    int place;
+    LightSample light;
+  };
+  std::vector<Asked> asked;
+  std::vector<ShadowQuery> ways;
+  asked.reserve(std::size_t(count));
+  ways.reserve(std::size_t(count));
+  for (int i = 0; i < count; ++i) {
+    if (!isFound(hits[i])) continue;
+    std::optional<Hit> turned;
+    const LightSample light = sampleLight(index, litSide(rays[i].ray, hits[i], turned));
+    if (!light.isInFront) continue;
+    ways.push_back(shadowQuery(hits[i], light));
+    asked.push_back({i, light});
+  }
+  bool blocked[Object3D::kBatchSize];
+  geometry_->occludedBatch(ways.data(), int(ways.size()), blocked);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (blocked[k]) continue;
+    const int i = asked[k].place;
+    std::optional<Hit> turned;
+    const Hit& lit = litSide(rays[i].ray, hits[i], turned);
+    sums[std::size_t(i)] += reflected(rays[i].ray, lit, asked[k].light, Vec3f(1, 1, 1));
+  }
+}
+
+/// Adds to each sum what the ray brings that continues ray i, where continued(i) gives one.
+template <class Continue>
+void RayTracer::addContinued(const Hit* hits, int count, int bounces, std::vector<Vec3d>& sums,
+                             const Continue& continued) const {
+  std::vector<TracedRay> next;
+  std::vector<std::size_t> places;
+  for (int i = 0; i < count; ++i) {
+    const std::optional<TracedRay> ray = isFound(hits[i]) ? continued(i) : std::nullopt;
+    if (!ray) continue;
+    next.push_back(*ray);
+    places.push_back(std::size_t(i));
+  }
+  std::vector<Hit> nextHits(next.size());
+  std::vector<Vec3f> colors(next.size());
+  traceBatch(next.data(), int(next.size()), bounces + 1, nextHits.data(), colors.data());
+  for (std::size_t k = 0; k < next.size(); ++k) {
+    sums[places[k]] += Vec3d(next[k].factor) * Vec3d(colors[k]);
+  }
+}

@@ -1,0 +1,87 @@
+// RayTracer::traceBatch against traceRay, ray by ray.
+#include "accel/compiled_scene.h"
+#include "check.h"
+#include "render/ray_tracer.h"
+#include "scene_text.h"
+
+namespace {
+
+/// Mirrors, glass, lamps of both kinds, a moved ball inside glass.
+SceneParser hallOfMirrors() {
+  return scene_text::parse(R"(
+    Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
+    Lights { numLights 2
+      PointLight { position 3 5 4 color 0.9 0.8 0.7 attenuation 1 0.1 0 }
+      DirectionalLight { direction -1 -2 -1 color 0.3 0.4 0.5 } }
+    Materials { numMaterials 3
+      Material { diffuseColor 0.5 0.4 0.3 reflectiveColor 0.4 0.5 0.6 }
+      Material { diffuseColor 0.1 0.1 0.1 transparentColor 0.8 0.7 0.9 indexOfRefraction 1.4
+                 reflectiveColor 0.2 0.2 0.2 specularColor 1 1 1 exponent 9 }
+      Material { diffuseColor 0.9 0.2 0.2 } }
+    Group { numObjects 6
+      MaterialIndex 0 Plane { normal 0 1 0 offset -1 } Plane { normal 0 0 1 offset -4 }
+      MaterialIndex 1 Sphere { center 0 0 0 radius 0.9 }
+      Triangle { vertex0 -2 -1 1 vertex1 -1 -1 1 vertex2 -1.5 1 0.5 }
+      MaterialIndex 2 Transform { Translate 0.3 0 0 Scale 1 0.5 1 Sphere { center 0 0 0 radius 0.3 } }
+      Sphere { center 1.5 -0.4 1 radius 0.5 } })");
+}
+
+RayTracer::TracedRay eyeRay(int i, int size) {
+  const int side = 16;
+  const Vec3d target((i % side - 7.5) * 3 / size, (i / side - 7.5) * 3 / size, 0);
+  const Vec3d eye(0, 0.2, 5);
+  return {Ray(eye, normalize(target - eye)), 0, 1, 1, Vec3f(1, 1, 1)};
+}
+
+/// Compares `count` rays of a batch that starts after `bounces`.
+void compare(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
+             int count, int bounces) {
+  const RayTracer tracer(scene, geometry, options);
+  std::vector<RayTracer::TracedRay> rays;
+  for (int i = 0; i < count; ++i) rays.push_back(eyeRay(i, 16));
+  std::vector<Hit> hits(rays.size());
+  std::vector<Vec3f> colors(rays.size());
+  tracer.traceBatch(rays.data(), count, bounces, hits.data(), colors.data());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    Ray ray = rays[i].ray;
+    Hit hit;
+    const Vec3f expected = tracer.traceRay(ray, 0, bounces, 1, 1, hit);
+    CHECK(colors[i] == expected);
+    CHECK_EQUAL(hits[i].getT(), hit.getT());
+    CHECK(hits[i].getObject() == hit.getObject());
+  }
+}
+
+}  // namespace
+
+TEST("a batch of any size has the colours of its rays traced one by one") {
+  const SceneParser scene = hallOfMirrors();
+  const CompiledScene compiled(*scene.getGroup(), 1);
+  for (const int count : {0, 1, 3, 4, 63, 64, 65, 255, 256}) {
+    compare(scene, compiled, scene_text::bouncing(6), count, 0);
+    compare(scene, *scene.getGroup(), scene_text::bouncing(6), count, 2);
+  }
+}
+
+TEST("a batch obeys every option that changes a colour") {
+  const SceneParser scene = hallOfMirrors();
+  const CompiledScene compiled(*scene.getGroup(), 1);
+  for (int choice = 0; choice < 16; ++choice) {
+    RenderOptions options = scene_text::bouncing(choice % 5);
+    options.shadows = (choice & 1) == 0;
+    options.transparentShadows = (choice & 2) != 0;
+    options.shadeBack = (choice & 4) != 0;
+    options.minWeight = (choice & 8) != 0 ? 0.3f : 0.0f;
+    if (choice % 3 == 0) options.epsilon.kind = Epsilon::Kind::adaptive;
+    compare(scene, compiled, options, 256, 0);
+  }
+}
+
+TEST("a batch goes on alone where the generations end") {
+  const SceneParser scene = scene_text::parse(R"(
+    Materials { numMaterials 1 Material { diffuseColor 0.1 0.2 0.3 reflectiveColor 1 1 1 } }
+    Lights { numLights 1 DirectionalLight { direction 0 0 -1 color 1 1 1 } }
+    Group { numObjects 2 MaterialIndex 0
+      Plane { normal 0 0 1 offset -1 } Plane { normal 0 0 -1 offset -9 } })");
+  compare(scene, *scene.getGroup(), scene_text::bouncing(200), 256, 0);
+}
