@@ -21,6 +21,15 @@ TEST("adaptive samples with a tolerance that nothing exceeds are the first ones 
   const SceneParser scene = variedScene();
   CHECK(isSame(renderColor(scene, 60, 50, adaptive(4, 64, 1)),
                renderColor(scene, 60, 50, sampled(Pattern::jittered, 4))));
+  const SceneParser edge = whiteShapes(4, 1, leftOf(0.3, 0.5));  // 1 is no more than 1
+  CHECK(isSame(renderColor(edge, 20, 20, adaptive(4, 64, 1)),
+               renderColor(edge, 20, 20, sampled(Pattern::jittered, 4))));
+}
+
+TEST("adaptive samples of a picture of one colour are the first ones, even with tolerance 0") {
+  const SceneParser scene = whiteShapes(4, 1, leftOf(50));
+  CHECK(isSame(renderSamples(scene, 6, 6, 50, adaptive(9, 144, 0)),
+               renderSamples(scene, 6, 6, 50, sampled(Pattern::jittered, 9))));
 }
 
 TEST("adaptive samples with a tolerance that all exceed are all of them") {

@@ -168,3 +168,20 @@ TEST("depth and normals are those of the centres, and all pictures come from one
   CHECK(isSame(color, renderColor(scene, width, height, options)));
   CHECK(isSame(dots, renderSamples(scene, width, height, zoom, options)));
 }
+
+TEST("pixels come in the same order in every area that holds them, each once") {
+  const PixelRectangle large = {-21, -5, 40, 37};
+  std::vector<std::size_t> places(large.pixelCount(), 0);
+  const std::vector<Pixel> all = pixelsInOrder(large);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    CHECK(large.contains(all[k]));
+    places[large.index(all[k])] = k;
+  }
+  for (const PixelRectangle& area :
+       {large, PixelRectangle{-1, -1, 2, 2}, {-20, 3, 39, 36}, {7, 7, 24, 24}, {16, 16, 32, 32}}) {
+    const std::vector<Pixel> some = pixelsInOrder(area);
+    CHECK_EQUAL(some.size(), area.pixelCount());
+    for (std::size_t k = 1; k < some.size(); ++k)
+      CHECK(places[large.index(some[k - 1])] < places[large.index(some[k])]);
+  }
+}
