@@ -117,7 +117,8 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
     const SampledScene sampled = {*scene.getCamera(), tracer, size.x(), size.y()};
-    renderTiles(SampledRenderer(sampled, options.sampling, targets), options, threads);
+    const SampledRenderer renderer(sampled, options.sampling, targets, threads);
+    renderTiles(renderer, options, threads);
     central.color = central.samples = nullptr;
     if (!anyOf(central)) return;
   }

@@ -9,43 +9,48 @@
 
 namespace {
 
-constexpr int kBlock = 16, kMostBlocks = 8;
+constexpr int kBlock = 16, kMostBlocks = 8, kTilesPerThread = 4;
 /// What the first samples of a tile may take where others may have to be added to them.
 constexpr std::size_t kMostTileBytes = 32 << 20;
 
 bool isRefined(const Sampler& sampler) { return sampler.getNumFirst() < sampler.getNumSamples(); }
 
+int tilesAlong(int pixels, int tileSize) { return (pixels + tileSize - 1) / tileSize; }
+
 /// The side of a tile with `margin` pixels around it that are traced too: 32 times as long, up to
-/// 128 pixels, so that they are few; less where so many first samples could not be kept.
-int tileSizeFor(int margin, const Sampler& sampler) {
-  const auto needed = [&](int blocks) {
-    const auto side = std::size_t(kBlock * blocks + 2 * margin);
-    return side * side * std::size_t(sampler.getNumFirst()) * AdaptiveSampling::kBytesPerSample;
+/// 128 pixels, so that they are few; less where so many first samples could not be kept, or where
+/// there would be too few tiles to keep all threads busy.
+int tileSizeFor(const SampledScene& scene, const Sampler& sampler, int margin, int threads) {
+  const auto isTooLarge = [&](int size) {
+    const auto side = std::size_t(size + 2 * margin);
+    const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
+    const bool tooMany = samples * AdaptiveSampling::kBytesPerSample > kMostTileBytes;
+    const int tiles = tilesAlong(scene.width, size) * tilesAlong(scene.height, size);
+    return (isRefined(sampler) && tooMany) || tiles / kTilesPerThread < threads;
   };
   int blocks = std::clamp(2 * margin, 1, kMostBlocks);
-  while (isRefined(sampler) && blocks > 1 && needed(blocks) > kMostTileBytes) --blocks;
+  while (blocks > 1 && isTooLarge(kBlock * blocks)) --blocks;
   return kBlock * blocks;
 }
 
 }  // namespace
 
 SampledRenderer::SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
-                                 const RenderTargets& targets)
+                                 const RenderTargets& targets, int threads)
     : scene_(scene),
       options_(options),
       targets_(targets),
       sampler_(makeSampler(options)),
       filter_(makeFilter(options)),
       reach_(targets.color ? filter_->getSupportRadius() : 0),
-      tileSize_(tileSizeFor(reach_ + int(isRefined(*sampler_)), *sampler_)) {}
+      tileSize_(tileSizeFor(scene, *sampler_, reach_ + int(isRefined(*sampler_)), threads)) {}
 
 int SampledRenderer::tileCount() const {
-  const auto tiles = [this](int pixels) { return (pixels + tileSize_ - 1) / tileSize_; };
-  return tiles(scene_.width) * tiles(scene_.height);
+  return tilesAlong(scene_.width, tileSize_) * tilesAlong(scene_.height, tileSize_);
 }
 
 PixelRectangle SampledRenderer::areaOf(int tile) const {
-  const int columns = (scene_.width + tileSize_ - 1) / tileSize_;
+  const int columns = tilesAlong(scene_.width, tileSize_);
   const int left = tile % columns * tileSize_, bottom = tile / columns * tileSize_;
   return {left, bottom, std::min(left + tileSize_, scene_.width),
           std::min(bottom + tileSize_, scene_.height)};

@@ -12,9 +12,10 @@
 
 class SampledRenderer {
  public:
-  /// Fills targets.color and targets.samples, whichever are given. Nothing is owned.
+  /// Fills targets.color and targets.samples, whichever are given. Nothing is owned. Tiles are
+  /// small enough to be shared by so many threads.
   SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
-                  const RenderTargets& targets);
+                  const RenderTargets& targets, int threads);
 
   int tileCount() const;
   void renderTile(int tile) const;
