@@ -1,6 +1,7 @@
 // Batches of rays in a space: meshes take them together, other objects one by one.
 #include <algorithm>
 
+#include "accel/lone_rays.h"
 #include "accel/packet.h"
 #include "accel/space.h"
 
@@ -93,6 +94,12 @@ class OpenQueries {
       return isBlocked;
     });
   }
+  void addTo(LoneRays& lone) const {
+    for (int k = 0; k < count_; ++k) {
+      const ShadowQuery& query = queries_[places_[k]];
+      lone.add(places_[k], query.ray, query.tmin, query.tmax);
+    }
+  }
 
  private:
   const ShadowQuery* queries_;  // not owned
@@ -122,10 +129,12 @@ Bits Space::nearest(const Ray* rays, int count, NearestQuery* queries) const {
       }
     }
   }
-  for (int i = 0; i < count && !bvh_.isEmpty(); ++i) {
-    found |= Bits(nearestInTree(rays[i], queries[i])) << i;
-  }
-  return found;
+  if (bvh_.isEmpty()) return found;
+  LoneRays lone;
+  for (int i = 0; i < count; ++i) lone.add(i, rays[i], queries[i].tmin, queries[i].t);
+  return found | lone.forEach(*kernels_, bvh_, [&](int i, TraversalRay& r, const TimeMap& time) {
+    return nearestInTree(rays[i], queries[i], r, time);
+  });
 }
 
 Bits Space::occluded(const ShadowQuery* queries, int count) const {
@@ -146,10 +155,13 @@ Bits Space::occluded(const ShadowQuery* queries, int count) const {
       open.askEach([&](const ShadowQuery& q) { return occludedBy(entry, q.ray, q.tmin, q.tmax); });
     }
   }
-  if (!bvh_.isEmpty()) {
-    open.askEach([&](const ShadowQuery& q) { return occludedInTree(q.ray, q.tmin, q.tmax); });
-  }
-  return open.blocked();
+  if (bvh_.isEmpty() || open.isEmpty()) return open.blocked();
+  LoneRays lone;
+  open.addTo(lone);
+  return open.blocked() |
+         lone.forEach(*kernels_, bvh_, [&](int i, TraversalRay& r, const TimeMap&) {
+           return occludedInTree(queries[i].ray, queries[i].tmin, queries[i].tmax, r);
+         });
 }
 
 }  // namespace accel
