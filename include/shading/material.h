@@ -23,6 +23,9 @@ class Material {
   Vec3f getTransparentColor() const { return transparentColor_; }
   Vec3f getReflectiveColor() const { return reflectiveColor_; }
   float getIndexOfRefraction() const { return indexOfRefraction_; }
+  /// Where closed transparent objects overlap, the one of the largest priority fills the place.
+  int getPriority() const { return priority_; }
+  void setPriority(int priority) { priority_ = priority; }
 
   /// The light that the surface sends back along the ray from one light: `dirToLight` is the unit
   /// direction to it, `lightColor` what arrives. hit.getNormal() is used as it stands. Ambient
@@ -36,4 +39,5 @@ class Material {
  private:
   Vec3f diffuseColor_, transparentColor_, reflectiveColor_;
   float indexOfRefraction_;
+  int priority_ = 0;
 };

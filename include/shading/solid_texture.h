@@ -25,7 +25,8 @@ class SolidTexture : public Material {
 
   /// `toTexture` takes points of the world to the space that the texture is described in; it may be
   /// singular. As a Material the texture has the largest of its parts' colours, by component, so
-  /// that no part is transparent or reflective where the texture says that it is not.
+  /// that no part is transparent or reflective where the texture says that it is not, and the first
+  /// part's index and priority.
   SolidTexture(const Matrix& toTexture, const Part& first, const Part& second);
 
   /// The plain materials at a point of the world, each once, latest place first; their weights add

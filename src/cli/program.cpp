@@ -54,6 +54,10 @@ int threadCount(const Options& options) {
   return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
 }
 
+bool needsClosedMeshes(const RenderOptions& render) {
+  return render.transparentShadows || render.nestedDielectrics || render.fresnel;
+}
+
 /// Where the pictures go; with -stats alone there is one that `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
@@ -110,7 +114,7 @@ int renderScene(const Options& options) {
                                  [&] { return SceneParser(options.input.c_str()); });
   checkFiles(options, scene.getMeshFiles());
   printWarnings(scene, options);
-  if (options.render.transparentShadows) {
+  if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
   stats.readSeconds = watch.restart();

@@ -18,17 +18,6 @@ struct Filter {
   double exponent;  // length inside a closed object, number of crossings of an open one
 };
 
-/// A transparent object's colour at a point; of a texture the mean of its parts' colours.
-Vec3f transparencyAt(const Material& material, const Vec3d& point) {
-  const SolidTexture* const texture = material.asTexture();
-  if (!texture) return material.getTransparentColor();
-  Vec3d sum;
-  for (const WeightedMaterial& part : texture->partsAt(point)) {
-    sum += part.weight * Vec3d(part.material->getTransparentColor());
-  }
-  return Vec3f(sum);
-}
-
 bool filterLess(const Filter& a, const Filter& b) {
   return std::make_tuple(a.exponent, a.color.r(), a.color.g(), a.color.b()) <
          std::make_tuple(b.exponent, b.color.r(), b.color.g(), b.color.b());
@@ -138,6 +127,16 @@ class ShadowRay : public CrossingVisitor {
 };
 
 }  // namespace
+
+Vec3f transparencyAt(const Material& material, const Vec3d& point) {
+  const SolidTexture* const texture = material.asTexture();
+  if (!texture) return material.getTransparentColor();
+  Vec3d sum;
+  for (const WeightedMaterial& part : texture->partsAt(point)) {
+    sum += part.weight * Vec3d(part.material->getTransparentColor());
+  }
+  return Vec3f(sum);
+}
 
 Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, double distance) {
   ShadowRay visitor(ray, epsilon, distance);

@@ -12,3 +12,6 @@
 /// object (or leaves it, if it is an open surface, or the lamp is inside); where that is black the
 /// surface is opaque.
 Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, double distance);
+
+/// transparentColor at a point of the world; of a texture the mean of its parts' colours there.
+Vec3f transparencyAt(const Material& material, const Vec3d& point);

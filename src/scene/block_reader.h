@@ -25,7 +25,7 @@ struct WordChoice {
 /// and returns false after a mistake.
 struct Field {
   std::string_view name;
-  std::variant<double*, float*, Vec3d*, Vec3f*, std::string_view*, WordChoice,
+  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*, WordChoice,
                const std::function<bool()>*>
       target;
   bool isRequired = true;

@@ -92,6 +92,7 @@ void BlockReader::readField(Field& field) {
     std::string_view name;
     bool operator()(double* value) { return in.readNumber(name, *value); }
     bool operator()(float* value) { return in.readNumber(name, *value); }
+    bool operator()(int* value) { return in.readWholeNumber(name, *value); }
     bool operator()(Vec3d* value) { return in.readVector(name, *value); }
     bool operator()(Vec3f* value) { return in.readVector(name, *value); }
     bool operator()(std::string_view* value) { return in.readName(name, *value); }

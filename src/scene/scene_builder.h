@@ -36,6 +36,7 @@ class SceneBuilder {
   struct MaterialBase {
     Vec3f diffuseColor{1, 1, 1}, transparentColor, reflectiveColor;
     float indexOfRefraction = 1;
+    int priority = 0;
   };
 
   /// What a solid texture's block says.

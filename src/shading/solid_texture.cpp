@@ -30,7 +30,9 @@ SolidTexture::SolidTexture(const Matrix& toTexture, const Part& first, const Par
           first.material->getIndexOfRefraction()),
       toTexture_(toTexture),
       first_(first),
-      second_(second) {}
+      second_(second) {
+  setPriority(first.material->getPriority());
+}
 
 /// In descending order of place everything that refers to a material comes before it, so its weight
 /// is complete when its turn comes.
