@@ -13,13 +13,19 @@
 #include "accel/grid_frame.h"
 #include "geometry/object3d.h"
 
+/// What bounds the memory of a grid.
+struct GridLimits {
+  double items = 0x1p25;    ///< objects and triangles, at the most, that are listed one by one
+  double entries = 0x1p26;  ///< of the lists of all cells together
+};
+
 class Grid : public Object3D {
  public:
   /// Sorts everything below `root` into cells. `root` and what it holds are not owned, must outlive
-  /// the grid and must not change any more. Memory is bounded: where the lists of all cells
-  /// together would exceed 2^26 entries, the sides of `size` are halved until they do not; where a
-  /// scene has more than 2^25 triangles, 2, 4, 8 ... neighbours of a mesh are listed as one.
-  Grid(const Object3D& root, const GridSize& size);
+  /// the grid and must not change any more. Where the lists would have more entries than `limits`
+  /// allow, the sides of `size` are halved until they have not; where the scene has more items, 2,
+  /// 4, 8 ... faces of a mesh in a row are listed as one.
+  Grid(const Object3D& root, const GridSize& size, const GridLimits& limits = {});
   ~Grid() override;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;

@@ -131,7 +131,8 @@ bool isUsual(const Vec3d& v, double least, double most) {
 }  // namespace
 
 struct Grid::Content {
-  Content(const Object3D& root, const GridSize& size) : parts(root), lists(parts, size) {}
+  Content(const Object3D& root, const GridSize& size, const GridLimits& limits)
+      : parts(root), lists(parts, size, limits) {}
 
   Way wayOf(const Ray& ray, double tmin, double tmax) const {
     if (!lists.frame()) return Way::nothing;
@@ -145,8 +146,8 @@ struct Grid::Content {
   const GridLists lists;
 };
 
-Grid::Grid(const Object3D& root, const GridSize& size)
-    : content_(std::make_unique<const Content>(root, size)), root_(&root) {}
+Grid::Grid(const Object3D& root, const GridSize& size, const GridLimits& limits)
+    : content_(std::make_unique<const Content>(root, size, limits)), root_(&root) {}
 
 Grid::~Grid() = default;
 

@@ -36,7 +36,7 @@ std::size_t GridFrame::cellCount() const {
 
 int GridFrame::cellAt(int axis, double x) const {
   const double number = std::floor((x - low_[axis]) / side_[axis]);
-  return int(std::clamp(number, 0.0, double(size_[axis] - 1)));
+  return number > 0 ? int(std::min(number, double(size_[axis] - 1))) : 0;  // 0 for NaN
 }
 
 CellRange GridFrame::touchedBy(const BoundingBox& box) const {
@@ -83,6 +83,7 @@ bool CellWalk::enter(double tmin) {
       continue;
     }
     const double near = timeAt(axis, d > 0 ? 0 : end), far = timeAt(axis, d > 0 ? end : 0);
+    if (!(near <= far)) return false;  // not a number
     if (near > entered) {
       entered = near;
       enterAxis_ = axis;

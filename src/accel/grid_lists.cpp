@@ -7,8 +7,6 @@
 namespace accel {
 namespace {
 
-constexpr double kMostItems = 0x1p25, kMostEntries = 0x1p26;
-
 /// Calls visit(index) for every cell of the range.
 template <class Visit>
 void forEachCell(const GridFrame& frame, const CellRange& range, const Visit& visit) {
@@ -34,24 +32,28 @@ GridSize halved(const GridSize& size) {
 
 }  // namespace
 
-GridLists::GridLists(const GridParts& parts, const GridSize& size) : parts_(parts) {
+GridLists::GridLists(const GridParts& parts, const GridSize& size, const GridLimits& limits)
+    : parts_(parts) {
   if (parts.box().isEmpty() || parts.placed().empty()) return;
-  listItems();
+  listItems(limits.items);
   for (std::uint32_t number = 0; number < items_.size(); ++number) {
     box_.extend(widenedBox(number));
   }
-  chooseFrame(size);
+  for (const PlacedObject& object : parts.placed()) {
+    largestMargin_ = std::max(largestMargin_, object.margin);
+  }
+  chooseFrame(size, limits.entries);
   fill();
 }
 
-void GridLists::listItems() {
+void GridLists::listItems(double most) {
   const auto countOf = [&](const PlacedObject& object) {
     return (std::uint64_t(object.partCount()) + run_ - 1) / run_;
   };
   for (;; run_ *= 2) {
     double count = 0;
     for (const PlacedObject& object : parts_.placed()) count += double(countOf(object));
-    if (count <= kMostItems || run_ == 1u << 31) break;
+    if (count <= most || run_ == 1u << 31) break;
   }
   for (std::uint32_t object = 0; object < parts_.placed().size(); ++object) {
     const std::uint64_t count = countOf(parts_.placed()[object]);
@@ -71,14 +73,14 @@ BoundingBox GridLists::widenedBox(std::uint32_t number) const {
 }
 
 /// The finest frame, at most `size`, for which the lists are not too long.
-void GridLists::chooseFrame(const GridSize& size) {
+void GridLists::chooseFrame(const GridSize& size, double mostEntries) {
   for (GridSize tried = size;; tried = halved(tried)) {
     frame_.emplace(box_, tried);
     double entries = 0;
     for (std::uint32_t number = 0; number < items_.size(); ++number) {
       entries += frame_->touchedBy(widenedBox(number)).count();
     }
-    if (entries <= kMostEntries || frame_->cellCount() == 1) return;
+    if (entries <= mostEntries || frame_->cellCount() == 1) return;
   }
 }
 
@@ -100,9 +102,7 @@ void GridLists::fill() {
 }
 
 bool GridLists::mayMeetFromAfar(const Ray& ray, double tmin, double tmax) const {
-  double margin = 0;
-  for (const PlacedObject& object : parts_.placed()) margin = std::max(margin, object.margin);
-  const GridFrame frame(widened(box_, margin * (maxAbs(ray.getOrigin()) / parts_.reach())),
+  const GridFrame frame(widened(box_, largestMargin_ * (maxAbs(ray.getOrigin()) / parts_.reach())),
                         {1, 1, 1});
   const CellWalk walk(frame, ray, tmin);
   return !walk.isAtEnd() && walk.enterT() < tmax;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "accel/grid.h"
 #include "accel/grid_frame.h"
 #include "accel/grid_parts.h"
 
@@ -18,7 +19,7 @@ struct GridItem {
 class GridLists {
  public:
   /// `parts` is not owned. See Grid about the limits that `size` gives way to.
-  GridLists(const GridParts& parts, const GridSize& size);
+  GridLists(const GridParts& parts, const GridSize& size, const GridLimits& limits);
 
   /// Nothing where no object has a place in the grid.
   const std::optional<GridFrame>& frame() const { return frame_; }
@@ -36,15 +37,16 @@ class GridLists {
     std::uint32_t object, first;
   };
 
-  void listItems();
+  void listItems(double most);
   BoundingBox widenedBox(std::uint32_t number) const;
-  void chooseFrame(const GridSize& size);
+  void chooseFrame(const GridSize& size, double mostEntries);
   void fill();
 
   const GridParts& parts_;
   std::uint32_t run_ = 1;  // how many faces of a mesh make one item
   std::vector<Item> items_;
   BoundingBox box_;
+  double largestMargin_ = 0;
   std::optional<GridFrame> frame_;
   std::vector<std::uint32_t> starts_, entries_;
 };

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
-#include <optional>
 
-#include "accel/compiled_scene.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/scene_geometry.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
@@ -75,18 +74,12 @@ RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Im
 void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
                Stats& stats) {
   stats.threads = threadCount(options);
-  stats.simd = "none";
-  stats.tree = "plain object tree";
   Stopwatch watch;
-  std::optional<CompiledScene> compiled;
-  if (options.accel == Options::Accel::fast) {
-    compiled.emplace(*scene.getGroup(), stats.threads, options.simd);
-    stats.simd = nameOf(availableSimd(options.simd));
-    stats.tree = compiled->describe();
-  }
+  const SceneGeometry geometry(*scene.getGroup(), options, stats.threads);
+  stats.simd = geometry.simd();
+  stats.tree = geometry.description();
   stats.buildSeconds = watch.restart();
-  const Object3D& geometry = compiled ? static_cast<const Object3D&>(*compiled) : *scene.getGroup();
-  render(scene, geometry, options.render, stats.threads, targets);
+  render(scene, geometry.object(), options.render, stats.threads, targets);
   stats.traceSeconds = watch.restart();
 }
 
