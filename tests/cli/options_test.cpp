@@ -39,6 +39,12 @@ Words split(const std::string& text) {
   return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
 }
 
+/// The words that must be given beside an argument.
+Words companionsOf(const OptionRow& row) {
+  const bool drawsGrid = std::string(row.name).rfind("visualize_grid", 0) == 0;
+  return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
+}
+
 /// Right words for an argument, from the names that the table gives them.
 Words sampleWords(const OptionRow& row) {
   Words words = split(row.words);
@@ -47,6 +53,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
     if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
+    if (word == "NX" || word == "NY" || word == "NZ") word = "3";
     if (word == "MAX") word = "2";
   }
   return words;
@@ -86,6 +93,8 @@ TEST("limits in the help are the limits of the parser") {
   CHECK(contains(findOption("bounces")->help, "to " + std::to_string(kMaxBounces)));
   CHECK(contains(findOption("threads")->help, "to " + std::to_string(kMaxThreads)));
   CHECK(contains(findOption("size")->help, "to " + std::to_string(kMaxImageSide)));
+  CHECK(contains(findOption("grid")->help, "to " + std::to_string(kMaxGridSide)));
+  CHECK(contains(findOption("grid")->help, "most " + std::to_string(kMaxGridCells)));
 }
 
 TEST("every argument of the contract is in the table") {
@@ -104,6 +113,9 @@ TEST("every argument of the contract is in the table") {
                            "epsilon",
                            "threads",
                            "accel",
+                           "grid",
+                           "visualize_grid",
+                           "visualize_grid_count",
                            "simd",
                            "stats",
                            "quiet",
@@ -120,6 +132,7 @@ TEST("every argument of the table is read under each name with one dash or two")
       for (const char* dashes : {"-", "--"}) {
         Words words = sampleWords(row);
         words.insert(words.begin(), std::string(dashes) + name);
+        for (const std::string& word : companionsOf(row)) words.push_back(word);
         CHECK_EQUAL(mistake(words), "");
       }
     }
@@ -150,6 +163,32 @@ TEST("the list of arguments has lines of at most 80 columns and names every argu
     CHECK(contains(fullHelp(), entry));
     if (row.otherName) CHECK(contains(list, std::string(", -") + row.otherName));
   }
+}
+
+TEST("-grid takes three numbers within its limits, and the last of -grid and -accel counts") {
+  const Options o = parse({"-grid", "1024", "1", "16"});
+  CHECK(o.accel == Options::Accel::grid);
+  CHECK(o.gridSize == (GridSize{1024, 1, 16}));
+  CHECK(parse({"-grid", "2", "3", "4", "-accel", "tree"}).accel == Options::Accel::tree);
+  CHECK(parse({"-accel", "tree", "-grid", "2", "3", "4"}).accel == Options::Accel::grid);
+  CHECK(contains(mistake({"-grid", "2", "0", "4"}), "from 1 to 1024 for NY, found '0'"));
+  CHECK(contains(mistake({"-grid", "2", "3", "1025"}), "from 1 to 1024 for NZ, found '1025'"));
+  CHECK(contains(mistake({"-grid", "x", "3", "4"}), "for NX, found 'x'"));
+  // 1024 * 1024 * 16 is the limit, 2^24.
+  CHECK_EQUAL(mistake({"-grid", "1024", "1024", "16"}), "");
+  CHECK(contains(mistake({"-grid", "1024", "1024", "17"}), "at most 16777216 cells in all"));
+}
+
+TEST("the cells of a grid can be drawn only where there is a grid") {
+  using Picture = Options::GridPicture;
+  CHECK(parse({}).gridPicture == Picture::none);
+  CHECK(parse({"-visualize_grid", "-grid", "2", "2", "2"}).gridPicture == Picture::cells);
+  CHECK(parse({"-grid", "2", "2", "2", "-visualize_grid_count"}).gridPicture == Picture::counts);
+  const std::string wanted = ": expected a grid to draw, for example -grid 20 20 20, found none";
+  CHECK_EQUAL(mistake({"-visualize_grid"}), "-visualize_grid" + wanted);
+  CHECK_EQUAL(mistake({"-visualize_grid_count"}), "-visualize_grid_count" + wanted);
+  CHECK_EQUAL(mistake({"-grid", "2", "2", "2", "-accel", "tree", "-visualize_grid"}),
+              "-visualize_grid" + wanted + " but -accel tree");
 }
 
 TEST("README.txt shows the same list of arguments as -help") {

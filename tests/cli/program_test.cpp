@@ -78,8 +78,27 @@ TEST("any number of threads and either way to find a hit give the same bytes") {
   CHECK_EQUAL(desk.run(in + "b -threads 3").status, 0);
   CHECK_EQUAL(desk.run(in + "c -threads 16").status, 0);
   CHECK_EQUAL(desk.run(in + "d -accel tree").status, 0);
+  CHECK_EQUAL(desk.run(in + "e -grid 3 4 5").status, 0);
   const std::string first = check::contentOf(desk.file("a"));
-  for (const char* other : {"b", "c", "d"}) CHECK(first == check::contentOf(desk.file(other)));
+  for (const char* other : {"b", "c", "d", "e"}) CHECK(first == check::contentOf(desk.file(other)));
+}
+
+TEST("-visualize_grid draws the cells, -visualize_grid_count in other colours where cells crowd") {
+  const Desk desk;
+  // Two balls of one place: cells of two objects, violet where others are white.
+  desk.write("two.txt",
+             check::smallScene() + "Group { numObjects 1 Sphere { center 0 0 0 radius 1 } }");
+  const std::string in = " -size 31 31 -grid 1 1 1 -output ";
+  CHECK_EQUAL(desk.run("-input scene.txt" + in + "scene.tga").status, 0);
+  CHECK_EQUAL(desk.run("-input scene.txt -visualize_grid" + in + "cells.tga").status, 0);
+  CHECK_EQUAL(desk.run("-input scene.txt -visualize_grid_count" + in + "counts.tga").status, 0);
+  CHECK_EQUAL(desk.run("-input two.txt -visualize_grid" + in + "two_cells.tga").status, 0);
+  CHECK_EQUAL(desk.run("-input two.txt -visualize_grid_count" + in + "two_counts.tga").status, 0);
+  const auto content = [&](const char* name) { return check::contentOf(desk.file(name)); };
+  CHECK(content("cells.tga") != content("scene.tga"));
+  CHECK(content("cells.tga") == content("counts.tga"));
+  CHECK(content("cells.tga") == content("two_cells.tga"));
+  CHECK(content("cells.tga") != content("two_counts.tga"));
 }
 
 TEST("the scene may come from standard input") {
