@@ -11,6 +11,7 @@
 #include <string>
 
 #include "accel/grid_frame.h"
+#include "accel/test_counts.h"
 #include "geometry/object3d.h"
 
 /// What bounds the memory of a grid.
@@ -34,6 +35,12 @@ class Grid : public Object3D {
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
   bool isBounded() const override;
 
+  /// The same questions, adding to `counts` the cells visited and the objects and faces tested,
+  /// each as often as cells list it.
+  bool intersect(const Ray& ray, Hit& hit, double tmin, RayTestCounts& counts) const;
+  bool occluded(const Ray& ray, double tmin, double tmax, RayTestCounts& counts) const;
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor, RayTestCounts& counts) const;
+
   /// What was built, in one line: cells, entries of their lists, objects beside.
   std::string describe() const;
 
@@ -41,4 +48,29 @@ class Grid : public Object3D {
   struct Content;
   std::unique_ptr<const Content> content_;
   const Object3D* root_;  // not owned
+};
+
+/// A grid that counts for one thread.
+class CountingGrid : public Object3D {
+ public:
+  /// Answers as `grid` does and adds to `counts`; neither is owned.
+  CountingGrid(const Grid& grid, RayTestCounts& counts) : grid_(&grid), counts_(&counts) {}
+
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override {
+    return grid_->intersect(ray, hit, tmin, *counts_);
+  }
+  bool occluded(const Ray& ray, double tmin, double tmax) const override {
+    return grid_->occluded(ray, tmin, tmax, *counts_);
+  }
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override {
+    grid_->visitCrossings(ray, visitor, *counts_);
+  }
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override {
+    grid_->addBounds(toWorld, box);
+  }
+  bool isBounded() const override { return grid_->isBounded(); }
+
+ private:
+  const Grid* grid_;       // not owned
+  RayTestCounts* counts_;  // not owned
 };

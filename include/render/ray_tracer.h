@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/object3d.h"
+#include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
 
@@ -15,6 +16,10 @@ class RayTracer {
   RayTracer(SceneParser* s, int max_bounces, float min_weight);
   /// Asks `geometry` (a compiled scene, or the scene's group) what a ray hits. Neither is owned.
   RayTracer(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options);
+
+  /// A tracer that does the same, asks `geometry` and tells `observer` of it; nothing is reported
+  /// where that is null. Neither is owned. Both may be one thread's own.
+  RayTracer watchedBy(RayObserver* observer, const Object3D& geometry) const;
 
   /// The colour that arrives along `ray` from the nearest surface with t > tmin, or the background.
   /// `bounces` secondary rays came before this one (0 for an eye ray), `weight` is the part that
@@ -43,7 +48,7 @@ class RayTracer {
   /// `count` hits, passed in fresh; there what was hit is stored.
   void traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits, Vec3f* colors) const;
 
-  /// Finds what the same rays hit, and no colours.
+  /// Finds what `count` eye rays hit, and no colours.
   void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
 
  private:
@@ -68,11 +73,20 @@ class RayTracer {
   std::optional<TracedRay> refracted(const Ray& ray, const Hit& hit, int bounces,
                                      float weight) const;
   Vec3d follow(std::optional<TracedRay> next, int bounces) const;
+  /// `next`, told of as a ray that begins after `bounces` others.
+  TracedRay begun(RayKind kind, const TracedRay& next, int bounces) const;
 
-  bool mayTrace(const Vec3f& color, int bounces, float weight) const;
+  bool mayTrace(RayKind kind, const Vec3f& color, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
+  Vec3d told(ColorTerm term, const Vec3d& color) const;
+  void reportLight(int index, const LightSample& light, const Vec3f& visible) const;
+  template <class Event>
+  void report(const Event& event) const {
+    if (observer_) event(*observer_);
+  }
   ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
   // Parts of traceBatch.
+  void findHits(const TracedRay* rays, int count, Hit* hits) const;
   std::vector<Vec3d> localTerms(const TracedRay* rays, const Hit* hits, int count) const;
   void addLight(int index, const TracedRay* rays, const Hit* hits, int count,
                 std::vector<Vec3d>& sums) const;
@@ -83,7 +97,8 @@ class RayTracer {
   Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
   float epsilonAt(const Hit& hit) const;
 
-  const SceneParser* scene_;  // not owned
-  const Object3D* geometry_;  // not owned
-  RenderOptions options_;     // epsilon is never `automatic` here
+  const SceneParser* scene_;         // not owned
+  const Object3D* geometry_;         // not owned
+  RenderOptions options_;            // epsilon is never `automatic` here
+  RayObserver* observer_ = nullptr;  // not owned; null where nobody watches
 };

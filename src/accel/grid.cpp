@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "accel/counting_tree.h"
 #include "accel/grid_lists.h"
 #include "accel/grid_parts.h"
 #include "accel/space.h"
@@ -62,14 +63,18 @@ GridItem whole(const PlacedObject& object) { return {&object, 0, object.partCoun
 /// The nearest hit so far, in the space of the object that was hit.
 class NearestHit {
  public:
-  NearestHit(RayInSpaces& rays, double tmin, double tmax) : rays_(rays) {
+  NearestHit(RayInSpaces& rays, double tmin, double tmax, TestCounts& counts)
+      : rays_(rays), counts_(counts) {
     query_.hit = &hit_;
     query_.tmin = tmin;
     query_.t = tmax;
   }
 
   double t() const { return query_.t; }
-  void ask(const GridItem& item) { item.object->mesh ? askFaces(item) : askObject(*item.object); }
+  void ask(const GridItem& item) {
+    counts_.primitives += item.last - item.first;
+    item.object->mesh ? askFaces(item) : askObject(*item.object);
+  }
   bool store(Hit& hit) {
     if (query_.order == NearestQuery::kNothing) return false;
     rays_.restate(space_, hit_);
@@ -100,19 +105,41 @@ class NearestHit {
   }
 
   RayInSpaces& rays_;
+  TestCounts& counts_;
   Hit hit_;
   NearestQuery query_;
   int space_ = GridSpace::kWorld;
 };
 
-bool isBlockedBy(const GridItem& item, RayInSpaces& rays, double tmin, double tmax) {
-  const Ray& ray = rays.in(item.object->space);
-  if (!item.object->mesh) return item.object->object->occluded(ray, tmin, tmax);
+/// What a shadow ray wants to know.
+struct ShadowWay {
+  RayInSpaces& rays;
+  double tmin, tmax;
+  TestCounts& counts;
+};
+
+bool isBlockedBy(const GridItem& item, const ShadowWay& way) {
+  const Ray& ray = way.rays.in(item.object->space);
+  if (!item.object->mesh) {
+    ++way.counts.primitives;
+    return item.object->object->occluded(ray, way.tmin, way.tmax);
+  }
   double t;
   for (std::uint32_t face = item.first; face < item.last; ++face) {
-    if (item.object->mesh->nearestRoot(face, ray, tmin, tmax, t)) return true;
+    ++way.counts.primitives;
+    if (item.object->mesh->nearestRoot(face, ray, way.tmin, way.tmax, t)) return true;
   }
   return false;
+}
+
+void visitCrossingsOf(const GridItem& item, RayInSpaces& rays, CrossingVisitor& visitor,
+                      TestCounts& counts) {
+  const Ray& ray = rays.in(item.object->space);
+  counts.primitives += item.last - item.first;
+  if (!item.object->mesh) return item.object->object->visitCrossings(ray, visitor);
+  for (std::uint32_t face = item.first; face < item.last; ++face) {
+    item.object->mesh->visitFace(face, ray, visitor);
+  }
 }
 
 /// What a ray may ask the cells.
@@ -151,17 +178,18 @@ Grid::Grid(const Object3D& root, const GridSize& size, const GridLimits& limits)
 
 Grid::~Grid() = default;
 
-bool Grid::intersect(const Ray& ray, Hit& hit, double tmin) const {
+bool Grid::intersect(const Ray& ray, Hit& hit, double tmin, RayTestCounts& counts) const {
   const Way way = content_->wayOf(ray, tmin, hit.getT());
-  if (way == Way::everything) return root_->intersect(ray, hit, tmin);
+  if (way == Way::everything) return CountingTree(*root_, counts).intersect(ray, hit, tmin);
   RayInSpaces rays(content_->parts, ray);
-  NearestHit nearest(rays, tmin, hit.getT());
+  NearestHit nearest(rays, tmin, hit.getT(), counts.nearest);
   for (const PlacedObject& object : content_->parts.beside()) nearest.ask(whole(object));
   if (way == Way::nothing) return nearest.store(hit);
   const GridLists& lists = content_->lists;
   // Of several objects at one t the first in the scene wins: a cell entered at just that t counts.
   for (CellWalk walk(*lists.frame(), ray, tmin); !walk.isAtEnd() && walk.enterT() <= nearest.t();
        walk.advance()) {
+    ++counts.nearest.nodes;
     const std::uint32_t* end = lists.end(walk.index());
     for (const std::uint32_t* i = lists.begin(walk.index()); i != end; ++i) {
       nearest.ask(lists.item(*i));
@@ -170,49 +198,62 @@ bool Grid::intersect(const Ray& ray, Hit& hit, double tmin) const {
   return nearest.store(hit);
 }
 
-bool Grid::occluded(const Ray& ray, double tmin, double tmax) const {
+bool Grid::occluded(const Ray& ray, double tmin, double tmax, RayTestCounts& counts) const {
   const Way way = content_->wayOf(ray, tmin, tmax);
-  if (way == Way::everything) return root_->occluded(ray, tmin, tmax);
+  if (way == Way::everything) return CountingTree(*root_, counts).occluded(ray, tmin, tmax);
   RayInSpaces rays(content_->parts, ray);
+  const ShadowWay shadow = {rays, tmin, tmax, counts.shadow};
   for (const PlacedObject& object : content_->parts.beside()) {
-    if (isBlockedBy(whole(object), rays, tmin, tmax)) return true;
+    if (isBlockedBy(whole(object), shadow)) return true;
   }
   if (way == Way::nothing) return false;
   const GridLists& lists = content_->lists;
   for (CellWalk walk(*lists.frame(), ray, tmin); !walk.isAtEnd() && walk.enterT() <= tmax;
        walk.advance()) {
+    ++counts.shadow.nodes;
     const std::uint32_t* end = lists.end(walk.index());
     for (const std::uint32_t* i = lists.begin(walk.index()); i != end; ++i) {
-      if (isBlockedBy(lists.item(*i), rays, tmin, tmax)) return true;
+      if (isBlockedBy(lists.item(*i), shadow)) return true;
     }
   }
   return false;
 }
 
-void Grid::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+void Grid::visitCrossings(const Ray& ray, CrossingVisitor& visitor, RayTestCounts& counts) const {
   const Way way = content_->wayOf(ray, 0, Hit().getT());
-  if (way == Way::everything) return root_->visitCrossings(ray, visitor);
+  if (way == Way::everything) return CountingTree(*root_, counts).visitCrossings(ray, visitor);
   RayInSpaces rays(content_->parts, ray);
   for (const PlacedObject& object : content_->parts.beside()) {
-    object.object->visitCrossings(rays.in(object.space), visitor);
+    visitCrossingsOf(whole(object), rays, visitor, counts.shadow);
   }
   if (way == Way::nothing) return;
   // An item that several cells list is asked once.
   const GridLists& lists = content_->lists;
   std::vector<std::uint32_t> found;
   for (CellWalk walk(*lists.frame(), ray, 0); !walk.isAtEnd(); walk.advance()) {
+    ++counts.shadow.nodes;
     found.insert(found.end(), lists.begin(walk.index()), lists.end(walk.index()));
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   for (const std::uint32_t number : found) {
-    const GridItem item = lists.item(number);
-    const Ray& inside = rays.in(item.object->space);
-    if (!item.object->mesh) item.object->object->visitCrossings(inside, visitor);
-    for (std::uint32_t face = item.first; item.object->mesh && face < item.last; ++face) {
-      item.object->mesh->visitFace(face, inside, visitor);
-    }
+    visitCrossingsOf(lists.item(number), rays, visitor, counts.shadow);
   }
+}
+
+bool Grid::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  RayTestCounts unused;
+  return intersect(ray, hit, tmin, unused);
+}
+
+bool Grid::occluded(const Ray& ray, double tmin, double tmax) const {
+  RayTestCounts unused;
+  return occluded(ray, tmin, tmax, unused);
+}
+
+void Grid::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  RayTestCounts unused;
+  visitCrossings(ray, visitor, unused);
 }
 
 void Grid::addBounds(const Matrix& toWorld, BoundingBox& box) const {

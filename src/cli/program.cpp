@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <new>
 
 #include "cli/option_table.h"
@@ -70,6 +71,31 @@ RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Im
   return targets;
 }
 
+/// What one thread counts, apart from the others' in memory.
+struct alignas(128) ThreadCounts {
+  RayCounts rays;
+  RayTestCounts tests;
+  std::unique_ptr<const Object3D> geometry;
+};
+
+/// Renders, and enters in `stats` what the threads have counted.
+void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, const Options& options,
+                   const RenderTargets& targets, Stats& stats) {
+  std::vector<ThreadCounts> counts(std::size_t(stats.threads));
+  std::vector<WorkerView> views;
+  for (ThreadCounts& each : counts) {
+    each.geometry = geometry.counting(each.tests);
+    stats.countsTests = each.geometry != nullptr;
+    views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
+  }
+  render(scene, geometry.object(), options.render, stats.threads, targets, views);
+  stats.pixels = double(options.width) * options.height;
+  for (const ThreadCounts& each : counts) {
+    stats.rays.add(each.rays);
+    stats.tests.add(each.tests);
+  }
+}
+
 /// Builds what answers for the scene's objects, then traces; enters both in `stats`.
 void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
                Stats& stats) {
@@ -79,7 +105,11 @@ void renderAll(const SceneParser& scene, const Options& options, const RenderTar
   stats.simd = geometry.simd();
   stats.tree = geometry.description();
   stats.buildSeconds = watch.restart();
-  render(scene, geometry.object(), options.render, stats.threads, targets);
+  if (options.stats) {
+    renderCounted(scene, geometry, options, targets, stats);
+  } else {
+    render(scene, geometry.object(), options.render, stats.threads, targets);
+  }
   stats.traceSeconds = watch.restart();
 }
 

@@ -1,6 +1,8 @@
 // SceneGeometry: the compiled scene, a grid, the cells of a grid, or the objects themselves.
 #include "cli/scene_geometry.h"
 
+#include "accel/counting_tree.h"
+
 namespace {
 
 /// How -visualize_grid_count paints a cell of at most so many objects; the last one holds for all
@@ -31,6 +33,12 @@ SceneGeometry::SceneGeometry(const Object3D& root, const Options& options, int t
     object_ = &grid_.emplace(root, options.gridSize);
     description_ = grid_->describe();
   }
+}
+
+std::unique_ptr<const Object3D> SceneGeometry::counting(RayTestCounts& counts) const {
+  if (compiled_ || view_) return nullptr;
+  if (grid_) return std::make_unique<CountingGrid>(*grid_, counts);
+  return std::make_unique<CountingTree>(*object_, counts);
 }
 
 void SceneGeometry::makeView(const Object3D& root, const Options& options) {

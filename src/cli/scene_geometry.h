@@ -1,5 +1,6 @@
 // SceneGeometry: what answers for the objects of a scene in this run, and what it is called.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "accel/compiled_scene.h"
 #include "accel/grid.h"
 #include "accel/grid_view.h"
+#include "accel/test_counts.h"
 #include "cli/options.h"
 #include "shading/phong_material.h"
 
@@ -19,6 +21,9 @@ class SceneGeometry {
   SceneGeometry& operator=(const SceneGeometry&) = delete;
 
   const Object3D& object() const { return *object_; }
+  /// object() in a form that adds to `counts` what each answer takes, for one thread; null where
+  /// that is not counted. Neither this nor `counts` is owned.
+  std::unique_ptr<const Object3D> counting(RayTestCounts& counts) const;
   /// The instruction set in use, "none" where there is no choice of one.
   const std::string& simd() const { return simd_; }
   /// In one line what was built.

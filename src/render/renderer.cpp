@@ -107,12 +107,15 @@ class TileRenderer {
 }  // namespace
 
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets) {
+            int threads, const RenderTargets& targets, const std::vector<WorkerView>& views) {
   const RayTracer tracer(scene, geometry, options);
-  const TileRenderer renderer(scene, tracer, targets);
+  const int tiles = TileRenderer(scene, tracer, targets).tileCount();
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
-  runOnThreads(std::min(threads, renderer.tileCount()), stack, [&](int) {
-    for (int tile; (tile = next++) < renderer.tileCount();) renderer.renderTile(tile);
+  runOnThreads(std::min(threads, tiles), stack, [&](int thread) {
+    const WorkerView view =
+        views.empty() ? WorkerView{&geometry, nullptr} : views[std::size_t(thread)];
+    const TileRenderer renderer(scene, tracer.watchedBy(view.observer, *view.geometry), targets);
+    for (int tile; (tile = next++) < tiles;) renderer.renderTile(tile);
   });
 }

@@ -24,7 +24,7 @@ void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* h
     }
     return;
   }
-  intersectBatch(rays, count, hits);
+  bounces == 0 ? intersectBatch(rays, count, hits) : findHits(rays, count, hits);
   std::vector<Vec3d> sums = localTerms(rays, hits, count);
   addContinued(hits, count, bounces, sums, [&](int i) {
     return mirrored(rays[i].ray, hits[i], bounces, rays[i].weight, rays[i].indexOfRefraction);
@@ -33,10 +33,16 @@ void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* h
                [&](int i) { return refracted(rays[i].ray, hits[i], bounces, rays[i].weight); });
   for (int i = 0; i < count; ++i) {
     colors[i] = isFound(hits[i]) ? Vec3f(sums[std::size_t(i)]) : scene_->getBackgroundColor();
+    report([&](RayObserver& observer) { observer.rayEnds(colors[i]); });
   }
 }
 
 void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) const {
+  for (int i = 0; observer_ && i < count; ++i) begun(RayKind::eye, rays[i], 0);
+  findHits(rays, count, hits);
+}
+
+void RayTracer::findHits(const TracedRay* rays, int count, Hit* hits) const {
   std::vector<Ray> only;
   std::vector<double> tmins;
   only.reserve(std::size_t(count));
@@ -46,6 +52,9 @@ void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) cons
     tmins.push_back(rays[i].tmin);
   }
   geometry_->intersectBatch(only.data(), tmins.data(), count, hits);
+  for (int i = 0; observer_ && i < count; ++i) {
+    observer_->rayMeets(isFound(hits[i]) ? hits + i : nullptr);
+  }
 }
 
 /// Ambient light and all lamps.
@@ -79,6 +88,7 @@ void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int 
     if (!isFound(hits[i])) continue;
     std::optional<Hit> turned;
     const LightSample light = sampleLight(index, litSide(rays[i].ray, hits[i], turned));
+    if (!light.isInFront) reportLight(index, light, Vec3f());
     if (!light.isInFront) continue;
     ways.push_back(shadowQuery(hits[i], light));
     asked.push_back({i, light});
@@ -86,6 +96,7 @@ void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int 
   bool blocked[Object3D::kBatchSize];
   geometry_->occludedBatch(ways.data(), int(ways.size()), blocked);
   for (std::size_t k = 0; k < asked.size(); ++k) {
+    reportLight(index, asked[k].light, blocked[k] ? Vec3f() : Vec3f(1, 1, 1));
     if (blocked[k]) continue;
     const int i = asked[k].place;
     std::optional<Hit> turned;

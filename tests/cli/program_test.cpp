@@ -343,8 +343,43 @@ TEST("-stats needs no image, and prints lines of names and values alone") {
     const std::string value = statsValue(run.output, std::string("seconds ") + name);
     CHECK(!value.empty() && std::stod("0" + value) >= 0 && std::stod("0" + value) < 60);
   }
-  CHECK_EQUAL(std::count(run.output.begin(), run.output.end(), '\n'), 7);
+  std::istringstream lines(run.output);
+  for (std::string line; std::getline(lines, line);) CHECK(contains(line, ": "));
   CHECK_EQUAL(desk.fileCount(), 1u);
+}
+
+TEST("-stats counts rays by kind, by pixel and by bounce, and tests where they are counted") {
+  const Desk desk;
+  // A floor that mirrors, seen straight down by parallel rays: 10 x 10 eye rays, as many mirror
+  // rays, which meet nothing, and as many shadow rays, of which nothing blocks any.
+  desk.write("mirror.txt",
+             "OrthographicCamera { center 0 5 0 direction 0 -1 0 up 0 0 1 size 2 }\n"
+             "Lights { numLights 1 DirectionalLight { direction 1 -1 0 color 1 1 1 } }\n"
+             "Materials { numMaterials 1 PhongMaterial { reflectiveColor 1 1 1 } }\n"
+             "Group { numObjects 1 MaterialIndex 0 Plane { normal 0 1 0 offset 0 } }\n");
+  const std::string in = "-input mirror.txt -stats -size 10 10 ";
+  for (const char* how : {"-accel fast", "-accel tree -threads 3", "-grid 4 4 4"}) {
+    const std::string output = desk.run(in + how).output;
+    CHECK_EQUAL(statsValue(output, "rays"), "300");
+    for (const char* kind : {"eye rays", "mirror rays", "shadow rays", "rays to the background",
+                             "rays after 0 bounces", "rays after 1 bounces"}) {
+      CHECK_EQUAL(statsValue(output, kind), "100");
+    }
+    for (const char* kind : {"refracted rays", "shadow rays blocked", "branches ended by weight"}) {
+      CHECK_EQUAL(statsValue(output, kind), "0");
+    }
+    CHECK_EQUAL(statsValue(output, "rays after 2 bounces"), "");
+    CHECK_EQUAL(statsValue(output, "rays per pixel"), "3.000");
+    CHECK(std::stod("0" + statsValue(output, "rays per second")) > 0);
+    const bool isCounted = !contains(std::string(how), "fast");
+    CHECK_EQUAL(statsValue(output, "primitives tested for hits"), isCounted ? "200" : "");
+    CHECK_EQUAL(statsValue(output, "primitives tested per ray for shadows"),
+                isCounted ? "1.000" : "");
+    CHECK_EQUAL(statsValue(output, "intersection tests").empty(), isCounted);
+  }
+  CHECK_EQUAL(desk.run(in + "-output a.tga").status, 0);
+  CHECK_EQUAL(desk.run("-input mirror.txt -size 10 10 -output b.tga").status, 0);
+  CHECK(check::contentOf(desk.file("a.tga")) == check::contentOf(desk.file("b.tga")));
 }
 
 TEST("-stats that cannot be printed is a failed output, and so is its image") {
