@@ -2,14 +2,22 @@
 // Source: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987. Here every
 // t is computed from its plane's own number, so that no error adds up from cell to cell.
 #pragma once
-#include <array>
 #include <cstddef>
 
 #include "geometry/ray.h"
 #include "math/bounding_box.h"
 
-/// How many cells a grid has along x, y and z, each at least 1.
-using GridSize = std::array<int, 3>;
+/// How many cells a grid has along x, y and z, each at least 1; or which cell is meant, counting
+/// from 0.
+struct GridSize {
+  int counts[3];
+
+  int operator[](int axis) const { return counts[axis]; }
+  int& operator[](int axis) { return counts[axis]; }
+  friend bool operator==(const GridSize& a, const GridSize& b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+  }
+};
 
 /// Limits of a grid: cells along one axis, and in all.
 inline constexpr int kMaxGridSide = 1024;

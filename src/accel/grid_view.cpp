@@ -53,7 +53,7 @@ void GridView::count(const BoundingBox& box) {
   for (int corner = 0; corner < 8; ++corner) {
     GridSize cell;
     bool grows = true;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
       const bool behind = (corner >> axis & 1) != 0;
       cell[axis] = behind ? range.last[axis] + 1 : range.first[axis];
       grows = grows != behind;
@@ -64,7 +64,7 @@ void GridView::count(const BoundingBox& box) {
 
 void GridView::sumCounts() {
   const GridSize corners = grown(frame_->size());
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     forEachCell(corners, [&](const GridSize& cell) {
       if (cell[axis] == 0) return;
       GridSize before = cell;

@@ -16,8 +16,8 @@ void setAccel(const GivenOption& given, Options& options) {
 void setGrid(const GivenOption& given, Options& options) {
   static constexpr const char* kNames[] = {"NX", "NY", "NZ"};
   int cells = 1;  // stays below 2^30
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    options.gridSize[axis] = wholeNumber(given, axis, kNames[axis], 1, kMaxGridSide);
+  for (int axis = 0; axis < 3; ++axis) {
+    options.gridSize[axis] = wholeNumber(given, std::size_t(axis), kNames[axis], 1, kMaxGridSide);
     cells *= options.gridSize[axis];
   }
   if (cells > kMaxGridCells) {

@@ -21,8 +21,8 @@ BoundingBox boxOf(const Vec3d& low, const Vec3d& high) { return {low, high}; }
 bool passes(const GridFrame& frame, const GridSize& at, const Ray& ray, double tmin, double grown) {
   double from = tmin, to = kInf;
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = frame.plane(axis, at[std::size_t(axis)]) - grown;
-    const double high = frame.plane(axis, at[std::size_t(axis)] + 1) + grown;
+    const double low = frame.plane(axis, at[axis]) - grown;
+    const double high = frame.plane(axis, at[axis] + 1) + grown;
     const double o = ray.getOrigin()[axis], d = ray.getDirection()[axis];
     if (d == 0 && (o < low || o > high)) return false;
     if (d == 0) continue;
@@ -73,7 +73,7 @@ Vec3d somePoint(Random& random, const GridFrame& frame) {
   Vec3d point;
   const bool isCorner = random.index(2) == 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const int size = frame.size()[std::size_t(axis)];
+    const int size = frame.size()[axis];
     const double low = frame.plane(axis, 0), high = frame.plane(axis, size);
     point[axis] = isCorner ? frame.plane(axis, random.index(size + 1))
                            : random.uniform(2 * low - high, 2 * high - low);

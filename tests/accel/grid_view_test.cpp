@@ -107,7 +107,7 @@ TEST("a cell counts the objects that have a part in it, and its colour follows")
           bool inside = true;
           for (int axis = 0; axis < 3; ++axis) {
             const double c = sphere.getCenter()[axis], r = sphere.getRadius();
-            const int number = at[std::size_t(axis)];
+            const int number = at[axis];
             inside = inside && c - r < frame.plane(axis, number + 1) &&
                      c + r > frame.plane(axis, number);
           }

@@ -165,32 +165,6 @@ TEST("the list of arguments has lines of at most 80 columns and names every argu
   }
 }
 
-TEST("-grid takes three numbers within its limits, and the last of -grid and -accel counts") {
-  const Options o = parse({"-grid", "1024", "1", "16"});
-  CHECK(o.accel == Options::Accel::grid);
-  CHECK(o.gridSize == (GridSize{1024, 1, 16}));
-  CHECK(parse({"-grid", "2", "3", "4", "-accel", "tree"}).accel == Options::Accel::tree);
-  CHECK(parse({"-accel", "tree", "-grid", "2", "3", "4"}).accel == Options::Accel::grid);
-  CHECK(contains(mistake({"-grid", "2", "0", "4"}), "from 1 to 1024 for NY, found '0'"));
-  CHECK(contains(mistake({"-grid", "2", "3", "1025"}), "from 1 to 1024 for NZ, found '1025'"));
-  CHECK(contains(mistake({"-grid", "x", "3", "4"}), "for NX, found 'x'"));
-  // 1024 * 1024 * 16 is the limit, 2^24.
-  CHECK_EQUAL(mistake({"-grid", "1024", "1024", "16"}), "");
-  CHECK(contains(mistake({"-grid", "1024", "1024", "17"}), "at most 16777216 cells in all"));
-}
-
-TEST("the cells of a grid can be drawn only where there is a grid") {
-  using Picture = Options::GridPicture;
-  CHECK(parse({}).gridPicture == Picture::none);
-  CHECK(parse({"-visualize_grid", "-grid", "2", "2", "2"}).gridPicture == Picture::cells);
-  CHECK(parse({"-grid", "2", "2", "2", "-visualize_grid_count"}).gridPicture == Picture::counts);
-  const std::string wanted = ": expected a grid to draw, for example -grid 20 20 20, found none";
-  CHECK_EQUAL(mistake({"-visualize_grid"}), "-visualize_grid" + wanted);
-  CHECK_EQUAL(mistake({"-visualize_grid_count"}), "-visualize_grid_count" + wanted);
-  CHECK_EQUAL(mistake({"-grid", "2", "2", "2", "-accel", "tree", "-visualize_grid"}),
-              "-visualize_grid" + wanted + " but -accel tree");
-}
-
 TEST("README.txt shows the same list of arguments as -help") {
   const std::string readme = check::contentOf(check::testsFolder() + "/../README.txt");
   CHECK(contains(readme, optionList()));
