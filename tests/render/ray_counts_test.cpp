@@ -71,9 +71,9 @@ struct Counted {
 };
 
 Counted render(const SceneParser& scene, const Object3D& geometry, int threads,
-               const RenderOptions& options) {
+               const RenderOptions& options, int width = 40, int height = 30) {
   Counted counted;
-  counted.image = Image(40, 30);
+  counted.image = Image(width, height);
   std::vector<RayCounts> counts{std::size_t(threads)};
   std::vector<WorkerView> views;
   for (RayCounts& each : counts) views.push_back({&geometry, &each});
@@ -189,6 +189,19 @@ TEST("counts are the same for any number of threads, compiled or not, and change
       CHECK(unwatched.getPixel(i % 40, i / 40) == one.image.getPixel(i % 40, i / 40));
     }
   }
+}
+
+TEST("several samples in a pixel under a filter are counted alike by any number of threads") {
+  const SceneParser scene = scene_text::parse(kFacingMirrors);
+  RenderOptions options = scene_text::bouncing(1);
+  options.sampling.pattern = SamplingOptions::Pattern::jittered;
+  options.sampling.samples = 4;
+  options.sampling.filter = SamplingOptions::FilterKind::tent;
+  options.sampling.filterSize = 2;
+  const RayCounts one = render(scene, *scene.getGroup(), 1, options, 128, 128).rays;
+  const RayCounts five = render(scene, *scene.getGroup(), 5, options, 128, 128).rays;
+  CHECK(one.rays(RayKind::eye) > 4 * 128 * 128);  // and those around each tile
+  checkSame(one, five);
 }
 
 TEST("rays that are traced one by one are counted as those of a batch") {
