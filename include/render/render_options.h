@@ -1,5 +1,6 @@
 // RenderOptions: everything that a picture depends on besides the scene.
 #pragma once
+#include "render/sampling_options.h"
 
 /// How far along its unit direction a secondary or shadow ray starts looking.
 struct Epsilon {
@@ -26,4 +27,5 @@ struct RenderOptions {
   bool nestedDielectrics = false;   ///< indices follow from what a ray is inside of, by priority
   bool fresnel = false;             ///< reflection follows from index and angle
   Epsilon epsilon;
+  SamplingOptions sampling;
 };
