@@ -6,6 +6,7 @@
 
 #include "scene/digits.h"
 #include "scene/obj_cursor.h"
+#include "scene/quick_decimal.h"
 #include "scene/wording.h"
 
 namespace {
@@ -14,6 +15,25 @@ namespace {
 /// from the part's first vertex. One number, as a struct of two was copied by way of memory.
 using Corner = std::uint64_t;
 constexpr Corner kRelative = Corner(1) << 32;
+
+/// True at the end of a line that is not continued.
+bool isLineEnd(const char* p) { return *p == '\n' || (*p == '\r' && p[1] == '\n'); }
+
+/// What scanPlainCorner looks at, with the blank before.
+constexpr int kPlainCornerBytes = 1 + 3 * 8;
+
+/// Goes behind the digits of a corner, of which `corner` becomes the number, and then up to twice
+/// behind a slash and digits: at most eight bytes each time.
+[[gnu::always_inline]] inline const char* scanPlainCorner(const char* p, std::uint64_t& corner) {
+  const digits::Run index = digits::leading(eight_bytes::load(p));
+  corner = index.number;
+  p += index.count;
+  for (int reference = 0; reference < 2 && *p == '/'; ++reference) {
+    ++p;
+    p += digits::aligned(eight_bytes::load(p)).count;
+  }
+  return p;
+}
 
 /// The place in the statements is handed along apart from the reader, so that it can stay in a
 /// register; with numbers read in line this took 0.92 of the time.
@@ -25,6 +45,8 @@ class PartReader {
   void read(ObjCursor cursor);
 
  private:
+  bool readPlainVertex(ObjCursor& cursor);
+  bool readPlainTriangle(ObjCursor& cursor);
   void readVertex(ObjCursor& cursor);
   void reportVertex(ObjCursor cursor, const char* start, int found);
   void readFace(ObjCursor& cursor);
@@ -42,11 +64,30 @@ class PartReader {
 void PartReader::read(ObjCursor cursor) {
   for (; cursor.findStatement(); cursor.skipStatement()) {
     if (cursor.isStatement('v')) {
-      readVertex(cursor);
+      if (!readPlainVertex(cursor)) readVertex(cursor);
     } else if (cursor.isStatement('f')) {
-      readFace(cursor);
+      if (!readPlainTriangle(cursor)) readFace(cursor);
     }
   }
+}
+
+/// Takes `v x y z` with one blank before each number, all of them QuickDecimals, and nothing behind
+/// them. False, and nothing has changed, for any other vertex.
+bool PartReader::readPlainVertex(ObjCursor& cursor) {
+  constexpr int kRoom = 1 + 3 * (1 + kQuickBytes) + 1;
+  if (cursor.end() - cursor.place() < kRoom || part_.vertices.size() == kMaxObjParts) return false;
+  float position[3];
+  const char* p = cursor.place() + 1;
+  for (float& coordinate : position) {
+    if (*p != ' ') return false;
+    QuickDecimal number;
+    p = scanQuickly(p + 1, number);
+    if (!p || !toFloat(number, coordinate)) return false;
+  }
+  if (!isLineEnd(p)) return false;
+  part_.vertices.emplace_back(position[0], position[1], position[2]);
+  cursor.moveTo(p);
+  return true;
 }
 
 void PartReader::readVertex(ObjCursor& cursor) {
@@ -79,6 +120,27 @@ void PartReader::reportVertex(ObjCursor cursor, const char* start, int found) {
                                    ? "expected a number within float range for a vertex, found "
                                    : "expected a number for a vertex, found ";
   report_(word.data(), expected + quoted(word));
+}
+
+/// Takes `f a b c` with one blank before each corner and nothing behind them, the corners being
+/// a, a/b, a//c or a/b/c, all of at most seven digits. False, and nothing has changed, for any
+/// other face.
+bool PartReader::readPlainTriangle(ObjCursor& cursor) {
+  constexpr int kRoom = 1 + 3 * kPlainCornerBytes + 2;
+  if (cursor.end() - cursor.place() < kRoom || part_.faces.size() == kMaxObjParts) return false;
+  std::uint64_t corners[3];
+  const char* p = cursor.place() + 1;
+  for (std::uint64_t& corner : corners) {
+    if (*p != ' ') return false;
+    p = scanPlainCorner(p + 1, corner);
+  }
+  const auto [a, b, c] = corners;
+  const std::uint64_t highest = std::max({a, b, c});
+  if (!isLineEnd(p) || a == 0 || b == 0 || c == 0 || highest > around_.vertices) return false;
+  part_.highest = std::max(part_.highest, highest);
+  part_.faces.push_back({std::uint32_t(a - 1), std::uint32_t(b - 1), std::uint32_t(c - 1)});
+  cursor.moveTo(p);
+  return true;
 }
 
 void PartReader::readFace(ObjCursor& cursor) {
