@@ -25,12 +25,15 @@ inline std::uint64_t markOthers(std::uint64_t values) {
   return ((values + 0x7676767676767676) | values) & eight_bytes::kMarks;
 }
 
-/// The number that eight bytes of value 0 to 9 make, the lowest byte being its first digit: pairs,
-/// then fours, then all eight are put together side by side.
+/// The number that eight bytes of value 0 to 9 make, the lowest byte being its first digit. They
+/// are put together as four pairs p0 .. p3, each in every other byte; of those, one product has
+/// 10^6 p0 + 100 p2 in its upper half, the other 10^4 p1 + p3.
 inline std::uint64_t joined(std::uint64_t bytes) {
-  const std::uint64_t pairs = (bytes * 10 + (bytes >> 8)) & 0x00ff00ff00ff00ff;
-  const std::uint64_t fours = (pairs * 100 + (pairs >> 16)) & 0x0000ffff0000ffff;
-  return (fours * 10000 + (fours >> 32)) & 0xffffffff;
+  constexpr std::uint64_t kFirstAndThird = 0x000000ff000000ff;
+  const std::uint64_t pairs = bytes * 10 + (bytes >> 8);
+  return ((pairs & kFirstAndThird) * (100 + (std::uint64_t(1000000) << 32)) +
+          (pairs >> 16 & kFirstAndThird) * (1 + (std::uint64_t(10000) << 32))) >>
+         32;
 }
 
 /// The digits that a text begins with, among its first eight bytes: 0 to 8 of them, their values
@@ -47,7 +50,7 @@ inline Aligned aligned(std::uint64_t bytes) {
   const std::uint64_t others = markOthers(values);
   if (others == 0) return {values, 8};
   const int bit = __builtin_ctzll(others);  // 8 * count + 7
-  return {values << 8 << (63 - bit), unsigned(bit) / 8};
+  return {values << 8 << (bit ^ 63), unsigned(bit) / 8};
 }
 
 /// The same digits as a number.

@@ -30,7 +30,7 @@ inline std::uint64_t load(const char* p, const char* end) {
   return load(bytes);
 }
 
-/// The number of the first marked byte; `marks` must not be 0.
+/// The number of the first byte that has any bit set; `marks` must not be 0.
 inline int firstMarked(std::uint64_t marks) { return __builtin_ctzll(marks) / 8; }
 
 /// Marks every byte of at least `bound`, from 1 to 127. No carry leaves a byte.

@@ -16,11 +16,15 @@ namespace {
 using Corner = std::uint64_t;
 constexpr Corner kRelative = Corner(1) << 32;
 
-/// True at the end of a line that is not continued.
-bool isLineEnd(const char* p) { return *p == '\n' || (*p == '\r' && p[1] == '\n'); }
+/// Goes behind a line's end that stands here and is not continued; null where none does.
+const char* passLineEnd(const char* p) {
+  p += *p == '\r';
+  return *p == '\n' ? p + 1 : nullptr;
+}
 
-/// What scanPlainCorner looks at, with the blank before.
-constexpr int kPlainCornerBytes = 1 + 3 * 8;
+/// How many bytes must be there where a plain statement begins: its letter, three times a blank and
+/// a number or a corner (24 digits, two slashes), and the line's end.
+constexpr int kPlainBytes = 1 + 3 * (1 + std::max(kQuickBytes, 26)) + 2;
 
 /// Goes behind the digits of a corner, of which `corner` becomes the number, and then up to twice
 /// behind a slash and digits: at most eight bytes each time.
@@ -45,8 +49,9 @@ class PartReader {
   void read(ObjCursor cursor);
 
  private:
-  bool readPlainVertex(ObjCursor& cursor);
-  bool readPlainTriangle(ObjCursor& cursor);
+  void readPlainStatements(ObjCursor& cursor);
+  const char* readPlainVertex(const char* p);
+  const char* readPlainTriangle(const char* p);
   void readVertex(ObjCursor& cursor);
   void reportVertex(ObjCursor cursor, const char* start, int found);
   void readFace(ObjCursor& cursor);
@@ -54,6 +59,7 @@ class PartReader {
   void reportCorner(std::string_view word);
   void reportRange(std::string_view word, std::uint64_t number, bool isNegative);
   void addFace(Corner a, Corner b, Corner c, const char* start);
+  void appendFace(Corner a, Corner b, Corner c);
   void noteRelative(Corner corner, std::size_t number);
 
   const ObjSurroundings around_;
@@ -62,32 +68,67 @@ class PartReader {
 };
 
 void PartReader::read(ObjCursor cursor) {
-  for (; cursor.findStatement(); cursor.skipStatement()) {
+  // Every vertex and triangle takes two bytes at least: there will not be too many of them.
+  const bool isCountSafe = std::size_t(cursor.end() - cursor.place()) < kMaxObjParts;
+  for (;;) {
+    if (isCountSafe) readPlainStatements(cursor);
+    if (!cursor.findStatement()) return;
     if (cursor.isStatement('v')) {
-      if (!readPlainVertex(cursor)) readVertex(cursor);
+      readVertex(cursor);
     } else if (cursor.isStatement('f')) {
-      if (!readPlainTriangle(cursor)) readFace(cursor);
+      readFace(cursor);
     }
+    cursor.skipStatement();
   }
 }
 
-/// Takes `v x y z` with one blank before each number, all of them QuickDecimals, and nothing behind
-/// them. False, and nothing has changed, for any other vertex.
-bool PartReader::readPlainVertex(ObjCursor& cursor) {
-  constexpr int kRoom = 1 + 3 * (1 + kQuickBytes) + 1;
-  if (cursor.end() - cursor.place() < kRoom || part_.vertices.size() == kMaxObjParts) return false;
+/// Reads what most files consist of at a stretch, up to the first statement that is written in any
+/// other way: 0.45 of the instructions of reading each word for itself.
+void PartReader::readPlainStatements(ObjCursor& cursor) {
+  const char* p = cursor.place();
+  while (cursor.end() - p >= kPlainBytes && p[1] == ' ') {
+    const char* behind = nullptr;
+    if (*p == 'f') behind = readPlainTriangle(p + 1);
+    if (*p == 'v') behind = readPlainVertex(p + 1);
+    if (!behind) break;
+    p = behind;
+  }
+  cursor.moveTo(p);
+}
+
+/// Takes the ` x y z` of a vertex with one blank before each number, all of them QuickDecimals, and
+/// nothing behind them. Returns where the next line begins; null, and nothing has changed, for any
+/// other vertex.
+[[gnu::always_inline]] inline const char* PartReader::readPlainVertex(const char* p) {
   float position[3];
-  const char* p = cursor.place() + 1;
   for (float& coordinate : position) {
-    if (*p != ' ') return false;
+    if (*p != ' ') return nullptr;
     QuickDecimal number;
     p = scanQuickly(p + 1, number);
-    if (!p || !toFloat(number, coordinate)) return false;
+    if (!p || !toFloat(number, coordinate)) return nullptr;
   }
-  if (!isLineEnd(p)) return false;
-  part_.vertices.emplace_back(position[0], position[1], position[2]);
-  cursor.moveTo(p);
-  return true;
+  p = passLineEnd(p);
+  if (!p) return nullptr;
+  Vec3f& vertex = part_.vertices.emplace_back();  // filled in place: see Corner
+  for (int axis = 0; axis < 3; ++axis) vertex[axis] = position[axis];
+  return p;
+}
+
+/// The same for the ` a b c` of a face, the corners being a, a/b, a//c or a/b/c, counted from the
+/// file's start, all numbers of at most eight digits.
+[[gnu::always_inline]] inline const char* PartReader::readPlainTriangle(const char* p) {
+  std::uint64_t corners[3];
+  for (std::uint64_t& corner : corners) {
+    if (*p != ' ') return nullptr;
+    p = scanPlainCorner(p + 1, corner);
+  }
+  p = passLineEnd(p);
+  const auto [a, b, c] = corners;
+  const std::uint64_t highest = std::max({a, b, c});
+  if (!p || a == 0 || b == 0 || c == 0 || highest > around_.vertices) return nullptr;
+  part_.highest = std::max(part_.highest, highest);
+  appendFace(a - 1, b - 1, c - 1);
+  return p;
 }
 
 void PartReader::readVertex(ObjCursor& cursor) {
@@ -122,27 +163,6 @@ void PartReader::reportVertex(ObjCursor cursor, const char* start, int found) {
   report_(word.data(), expected + quoted(word));
 }
 
-/// Takes `f a b c` with one blank before each corner and nothing behind them, the corners being
-/// a, a/b, a//c or a/b/c, all of at most seven digits. False, and nothing has changed, for any
-/// other face.
-bool PartReader::readPlainTriangle(ObjCursor& cursor) {
-  constexpr int kRoom = 1 + 3 * kPlainCornerBytes + 2;
-  if (cursor.end() - cursor.place() < kRoom || part_.faces.size() == kMaxObjParts) return false;
-  std::uint64_t corners[3];
-  const char* p = cursor.place() + 1;
-  for (std::uint64_t& corner : corners) {
-    if (*p != ' ') return false;
-    p = scanPlainCorner(p + 1, corner);
-  }
-  const auto [a, b, c] = corners;
-  const std::uint64_t highest = std::max({a, b, c});
-  if (!isLineEnd(p) || a == 0 || b == 0 || c == 0 || highest > around_.vertices) return false;
-  part_.highest = std::max(part_.highest, highest);
-  part_.faces.push_back({std::uint32_t(a - 1), std::uint32_t(b - 1), std::uint32_t(c - 1)});
-  cursor.moveTo(p);
-  return true;
-}
-
 void PartReader::readFace(ObjCursor& cursor) {
   const char* const start = cursor.place();
   cursor.skipName();
@@ -167,6 +187,10 @@ void PartReader::addFace(Corner a, Corner b, Corner c, const char* start) {
     noteRelative(b, 1);
     noteRelative(c, 2);
   }
+  appendFace(a, b, c);
+}
+
+void PartReader::appendFace(Corner a, Corner b, Corner c) {
   MeshGeometry::Face& face = part_.faces.emplace_back();  // filled in place: see Corner
   face[0] = std::uint32_t(a);
   face[1] = std::uint32_t(b);

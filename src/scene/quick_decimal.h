@@ -19,12 +19,18 @@ inline constexpr int kQuickBytes = 26;
 
 namespace quick {
 
-/// The doubles nearest to 10^-n, and those of 10^n, which are exact.
-inline constexpr double kInverses[] = {1,    1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,
-                                       1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
-inline constexpr double kPowers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-inline constexpr double kSigns[] = {1, -1};
+inline constexpr int kMostPlaces = 15;
+/// The doubles nearest to 10^-n, and then to -10^-n.
+inline constexpr double kInverses[2][kMostPlaces + 1] = {
+    {1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14,
+     1e-15},
+    {-1, -1e-1, -1e-2, -1e-3, -1e-4, -1e-5, -1e-6, -1e-7, -1e-8, -1e-9, -1e-10, -1e-11, -1e-12,
+     -1e-13, -1e-14, -1e-15}};
+/// 10^n and then -10^n, which are exact.
+inline constexpr double kPowers[2][kMostPlaces + 1] = {
+    {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15},
+    {-1, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13, -1e14,
+     -1e15}};
 
 /// Goes on behind eight places, the last of which is at p[7]; null for 18 digits and more.
 inline const char* scanLongFraction(const char* p, unsigned wholeDigits, QuickDecimal& number) {
@@ -72,19 +78,19 @@ inline const char* scanLongFraction(const char* p, unsigned wholeDigits, QuickDe
 /// its 29 bits beyond a float's are not near the half. (Converting, the inverse and the product err
 /// by half a unit each.) There are no overflows or denormals among these numbers.
 [[gnu::always_inline]] inline bool toFloat(const QuickDecimal& number, float& value) {
-  const double magnitude = double(std::int64_t(number.mantissa)) * quick::kInverses[number.places];
+  const double near =
+      double(std::int64_t(number.mantissa)) * quick::kInverses[number.isNegative][number.places];
   std::uint64_t bits;
-  std::memcpy(&bits, &magnitude, sizeof bits);
+  std::memcpy(&bits, &near, sizeof bits);
   constexpr std::uint64_t kRest = 0x1fffffff, kHalf = 0x10000000;
   if (((bits + kHalf + 4) & kRest) <= 8) return false;
-  value = float(magnitude * quick::kSigns[number.isNegative]);
+  value = float(near);
   return true;
 }
 
 /// Stores the nearest double where one rounded division of exact numbers gives it.
 inline bool toDouble(const QuickDecimal& number, double& value) {
   if (number.mantissa > std::uint64_t(1) << 53) return false;
-  value = double(std::int64_t(number.mantissa)) / quick::kPowers[number.places] *
-          quick::kSigns[number.isNegative];
+  value = double(std::int64_t(number.mantissa)) / quick::kPowers[number.isNegative][number.places];
   return true;
 }

@@ -65,6 +65,7 @@ class SceneBuilder {
   // The inside of a Transform.
   bool readSteps(Matrix& product);
   bool readStep(Matrix& product);
+  bool readStepNumbers(std::string_view name, double* numbers, int count);
   const Object3D* readMovedObject(bool areStepsGood);
 
   // Lists: `readItem` reads one counted item, whose name is the current word; `readOther` reads
