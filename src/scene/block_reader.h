@@ -75,7 +75,7 @@ class BlockReader {
   bool readVector(std::string_view what, Vec3<T>& value);
   /// Reads `count` numbers behind the current word, with one blank before each, and goes to the
   /// word behind them. False, and nothing has changed, where they are written in any other way, or
-  /// wrongly. (Cutting numbers into words first takes 1.8 times the instructions.)
+  /// wrongly. (Cutting numbers into words first takes 1.6 times the instructions.)
   bool readPlainNumbers(double* values, int count);
 
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.

@@ -83,7 +83,7 @@ void PartReader::read(ObjCursor cursor) {
 }
 
 /// Reads what most files consist of at a stretch, up to the first statement that is written in any
-/// other way: 0.45 of the instructions of reading each word for itself.
+/// other way: half the instructions of reading each word for itself.
 void PartReader::readPlainStatements(ObjCursor& cursor) {
   const char* p = cursor.place();
   while (cursor.end() - p >= kPlainBytes && p[1] == ' ') {

@@ -48,7 +48,8 @@ inline const char* scanLongFraction(const char* p, unsigned wholeDigits, QuickDe
 
 /// Stores the number that begins at `p`, without its exponent if it has one, and returns where it
 /// ends; null where no number begins or a longer one. Two runs of digits that fit in eight bytes
-/// are put together as one. (Takes 0.6 of the time of scanDecimal in number_reader.)
+/// are put together as one. (Takes 0.45 of the
+/// instructions of scanDecimal in number_reader.)
 [[gnu::always_inline]] inline const char* scanQuickly(const char* p, QuickDecimal& number) {
   // No branch on the sign, which nobody can predict.
   number.isNegative = *p == '-';

@@ -160,6 +160,12 @@ TEST("a float is rounded once, not by way of a double") {
   CHECK_EQUAL(asFloat("1.000000059604644775390624999999999999999"), 1.0f);
   CHECK_EQUAL(asFloat("16777217"), 16777216.0f);
   CHECK_EQUAL(asFloat("16777217.0000000000000000000000000001"), 16777218.0f);
+  // From 2^23 = 8388608 on floats are whole numbers. A trace of 1e-11 is lost in a double, where
+  // neighbours are 2e-9 apart.
+  CHECK_EQUAL(asFloat("8388608.5"), 8388608.0f);
+  CHECK_EQUAL(asFloat("8388609.5"), 8388610.0f);
+  CHECK_EQUAL(asFloat("8388608.50000000001"), 8388609.0f);
+  CHECK_EQUAL(asFloat("-8388609.49999999999"), -8388609.0f);
 }
 
 TEST("digits beyond any buffer still decide") {

@@ -84,14 +84,14 @@ std::string randomMesh(Random& random, int rareness) {
       "v 1 2",      "v x y",         "f 1 2/a 3",        "\\",
       "\\ x",       "f 1 2 3/1/1/1", "f 1 2 4294967298", "f 1 2 30000000",
       "v 1 2 3x",   "f 1 2 3.",      "v 1 2 1e",         "f 1 2 3/1/1x",
-      "v 1e99 1 2", "f 1 2 3 0"};
+      "v 1e99 1 2", "f 1 2 3 0",     "f 1 0 2",          "f 2 1 0"};
   std::string text = random.index(4) == 0 ? "\xEF\xBB\xBF" : "";
   text += "v 1 2 3\nv 4 5 6\nv 7 8 9\nv 1 1 1\n";
   const int count = random.index(30);
   for (int i = 0; i < count; ++i) {
     const bool isBad = random.index(rareness) == 0;
     const bool isPlain = random.index(2) == 0;
-    text += isBad     ? kBad[random.index(18)]
+    text += isBad     ? kBad[random.index(20)]
             : isPlain ? kPlain[random.index(16)]
                       : kGood[random.index(15)];
     text += random.index(5) == 0 ? "\r\n" : i + 1 == count && random.index(2) == 0 ? "" : "\n";

@@ -83,7 +83,7 @@ TEST("the nearest word is found for a slip and none for another word") {
 }
 
 TEST("random bytes are cut into the words that one byte after the other gives") {
-  // Blanks in rows and words of all lengths, as both are passed over eight bytes at a time.
+  // Blanks in rows and words of all lengths.
   const std::string letters = "   \n\t\r\v\f{}#//ab-.0129|~z!\x7f\x01\x1f\x80\xff";
   Random random(41);
   std::size_t found = 0;
