@@ -18,7 +18,7 @@ class Space;
 struct NearestQuery {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 
-  Hit* hit = nullptr;  ///< what has been recorded; its t may lag behind `t`
+  Hit* hit = nullptr;  ///< what has been recorded; while one mesh is asked its t may lag behind `t`
   double tmin = 0;
   double t;                        ///< the nearest t found, or the upper bound given
   std::uint32_t order = kNothing;  ///< of the object found, in the scene; kNothing: none found
@@ -86,8 +86,10 @@ class Space {
   void visitCrossingsOf(const Entry& entry, const Ray& ray, CrossingVisitor& visitor) const;
 
  private:
-  bool nearestInTree(const Ray& ray, NearestQuery& query) const;
-  bool occludedInTree(const Ray& ray, double tmin, double tmax) const;
+  // With `r`, the ray as prepared for the tree.
+  bool nearestInTree(const Ray& ray, NearestQuery& query, TraversalRay& r,
+                     const TimeMap& time) const;
+  bool occludedInTree(const Ray& ray, double tmin, double tmax, TraversalRay& r) const;
 
   const Kernels* kernels_;  // not owned
   std::vector<Entry> entries_;
