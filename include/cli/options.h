@@ -45,6 +45,12 @@ struct Options {
   std::string filterOutput;   ///< picture of the filter's weights, filterZoom times as large
   int filterZoom = 1;         ///< likewise, with 1 pixel more each way
 
+  std::string materialsOutput;  ///< picture of the materials
+  std::string heatmapOutput;    ///< picture of how many rays each pixel takes
+  bool tracesPixel = false;     ///< print the rays of pixel (pixelX, pixelY)
+  int pixelX = 0, pixelY = 0;   ///< from the top left, within width x height
+  std::string pixelObjOutput;   ///< the same rays as lines; only with tracesPixel
+
   RenderOptions render;
   int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
   Accel accel = Accel::fast;

@@ -5,6 +5,7 @@
 
 #include "geometry/object3d.h"
 #include "image/image.h"
+#include "render/material_colors.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
@@ -17,6 +18,8 @@ struct RenderTargets {
   Image* normals = nullptr;
   Image* samples = nullptr;  ///< where the samples lie, and their colours
   int samplesZoom = 1;
+  Image* materials = nullptr;  ///< each surface in the colour that materialColors has for it
+  const MaterialColors* materialColors = nullptr;  ///< given where `materials` is
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
 };

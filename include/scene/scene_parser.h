@@ -12,11 +12,13 @@
 #include "shading/light.h"
 #include "shading/material.h"
 
+class ObjectPlaces;
+
 class SceneParser {
  public:
   /// Reads `filename` ("-" is standard input) and the meshes it names. Throws InputError at the
-  /// first mistake.
-  explicit SceneParser(const char* filename);
+  /// first mistake. Where `places` is given, also enters there where each object stands.
+  explicit SceneParser(const char* filename, ObjectPlaces* places = nullptr);
   ~SceneParser();
   SceneParser(const SceneParser&) = delete;
   SceneParser& operator=(const SceneParser&) = delete;

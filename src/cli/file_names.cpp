@@ -38,7 +38,10 @@ void checkFiles(const Options& options, const std::vector<std::string>& meshFile
                            {"-depth", options.depthOutput},
                            {"-normals", options.normalsOutput},
                            {"-render_samples", options.samplesOutput},
-                           {"-render_filter", options.filterOutput}};
+                           {"-render_filter", options.filterOutput},
+                           {"-materials", options.materialsOutput},
+                           {"-heatmap", options.heatmapOutput},
+                           {"-pixel_obj", options.pixelObjOutput}};
   const auto isSame = [](const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() && a != "-" && sameFile(a, b);
   };

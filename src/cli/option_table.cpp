@@ -74,6 +74,22 @@ std::vector<OptionRow> fileRows() {
       {group, "normals", "normal", "FILE", nullptr,
        "write the normal image: red, green, blue are |x|, |y|, |z| of the surface normal",
        [](Given given, Options& o) { o.normalsOutput = outputName(given); }},
+      {group, "materials", nullptr, "FILE", nullptr,
+       "write a picture with a colour for each material, and print which is which",
+       [](Given given, Options& o) { o.materialsOutput = outputName(given); }},
+      {group, "heatmap", nullptr, "FILE", nullptr,
+       "write a picture of how many rays each pixel takes, and print its scale",
+       [](Given given, Options& o) { o.heatmapOutput = outputName(given); }},
+      {group, "pixel", nullptr, "X Y", nullptr,
+       "print all rays of one pixel, counted from the top left, and what becomes of them",
+       [](Given given, Options& o) {
+         o.pixelX = wholeNumber(given, 0, "X", 0, kMaxImageSide - 1);
+         o.pixelY = wholeNumber(given, 1, "Y", 0, kMaxImageSide - 1);
+         o.tracesPixel = true;
+       }},
+      {group, "pixel_obj", nullptr, "FILE", nullptr,
+       "with -pixel: write the same rays as lines of an OBJ file",
+       [](Given given, Options& o) { o.pixelObjOutput = outputName(given); }},
       {group, "check", nullptr, "", nullptr,
        "render nothing: read the scene and its meshes and report every mistake",
        [](Given, Options& o) { o.check = true; }},

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "cli/inspection.h"
 #include "cli/option_table.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
@@ -59,11 +60,12 @@ void checkComplete(const Options& options) {
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
                          !options.normalsOutput.empty() || !options.samplesOutput.empty() ||
-                         !options.filterOutput.empty() || options.stats || options.check;
+                         !options.filterOutput.empty() || !options.materialsOutput.empty() ||
+                         wantsInspection(options) || options.stats || options.check;
   if (!anyOutput)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
-        "-render_samples, -render_filter, -stats and -check");
+        "-render_samples, -render_filter, -materials, -heatmap, -pixel, -stats and -check");
 }
 
 }  // namespace
@@ -81,5 +83,6 @@ Options parseOptions(const std::vector<std::string>& words) {
   }
   checkComplete(options);
   checkEnlargedSizes(options);
+  checkPixel(options);
   return options;
 }

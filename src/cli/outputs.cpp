@@ -25,18 +25,29 @@ bool succeeds(const Output& output, const Work& work) {
   return false;
 }
 
+void write(const Output& output) {
+  if (output.kind == Output::Kind::rays) {
+    writeFile(output.file, output.text.data(), output.text.size());
+  } else {
+    writeTga(output.image, output.file);
+  }
+}
+
 }  // namespace
 
 std::vector<Output> wantedOutputs(const Options& options) {
   std::vector<Output> outputs;
   const auto add = [&](Output::Kind kind, const std::string& file) {
-    if (!file.empty()) outputs.push_back({kind, file, Image()});
+    if (!file.empty()) outputs.push_back({kind, file, Image(), ""});
   };
   add(Output::Kind::color, options.output);
   add(Output::Kind::depth, options.depthOutput);
   add(Output::Kind::normals, options.normalsOutput);
   add(Output::Kind::samples, options.samplesOutput);
   add(Output::Kind::filter, options.filterOutput);
+  add(Output::Kind::materials, options.materialsOutput);
+  add(Output::Kind::heatmap, options.heatmapOutput);
+  add(Output::Kind::rays, options.pixelObjOutput);
   return outputs;
 }
 
@@ -52,7 +63,7 @@ void makeImages(std::vector<Output>& outputs, const Options& options) {
     if (output.kind == Output::Kind::filter) {
       const auto filter = makeFilter(options.render.sampling);
       output.image = drawFilter(*filter, options.width, options.height, options.filterZoom);
-    } else {
+    } else if (output.kind != Output::Kind::rays) {
       const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
       output.image = Image(options.width * zoom, options.height * zoom);
     }
@@ -61,7 +72,6 @@ void makeImages(std::vector<Output>& outputs, const Options& options) {
 
 std::size_t writeAll(const std::vector<Output>& outputs) {
   std::size_t written = 0;
-  for (const Output& output : outputs)
-    written += succeeds(output, [&] { writeTga(output.image, output.file); });
+  for (const Output& output : outputs) written += succeeds(output, [&] { write(output); });
   return written;
 }

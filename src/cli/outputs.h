@@ -7,10 +7,11 @@
 #include "image/image.h"
 
 struct Output {
-  enum class Kind { color, depth, normals, samples, filter };
+  enum class Kind { color, depth, normals, samples, filter, materials, heatmap, rays };
   Kind kind;
   std::string file;
-  Image image;  ///< empty until makeImages
+  Image image;       ///< empty until makeImages, of `rays` always
+  std::string text;  ///< of `rays`: what is written; of `heatmap`: its scale
 };
 
 /// The outputs that `options` name, without their images.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 
+#include "cli/inspection.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "cli/sampling_arguments.h"
@@ -37,7 +38,7 @@ std::string displayName(const std::string& input) {
 
 int print(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return kDone;
+  if (written && std::fflush(stdout) == 0 && !std::ferror(stdout)) return kDone;
   complain("cannot write to standard output");
   return kOutputFailed;
 }
@@ -60,7 +61,7 @@ bool needsClosedMeshes(const RenderOptions& render) {
 }
 
 bool wantsRays(const RenderTargets& targets) {
-  return targets.color || targets.depth || targets.normals || targets.samples;
+  return targets.color || targets.depth || targets.normals || targets.samples || targets.materials;
 }
 
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
@@ -71,6 +72,7 @@ RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Im
     if (output.kind == Output::Kind::depth) targets.depth = &output.image;
     if (output.kind == Output::Kind::normals) targets.normals = &output.image;
     if (output.kind == Output::Kind::samples) targets.samples = &output.image;
+    if (output.kind == Output::Kind::materials) targets.materials = &output.image;
   }
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
@@ -107,9 +109,11 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
   }
 }
 
-/// Builds what answers for the scene's objects, then traces; enters both in `stats`.
+/// Builds what answers for the scene's objects, then traces; enters both in `stats`. At last
+/// `inspectAll(geometry)` is called.
+template <class InspectAll>
 void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
-               Stats& stats) {
+               Stats& stats, const InspectAll& inspectAll) {
   stats.threads = threadCount(options);
   Stopwatch watch;
   const SceneGeometry geometry(*scene.getGroup(), options, stats.threads);
@@ -118,10 +122,11 @@ void renderAll(const SceneParser& scene, const Options& options, const RenderTar
   stats.buildSeconds = watch.restart();
   if (options.stats) {
     renderCounted(scene, geometry, options, targets, stats);
-  } else {
+  } else if (wantsRays(targets)) {
     render(scene, geometry.object(), options.render, stats.threads, targets);
   }
   stats.traceSeconds = watch.restart();
+  inspectAll(geometry.object());
 }
 
 void warnOfSimd(const Options& options) {
@@ -142,8 +147,10 @@ void printWarnings(const SceneParser& scene, const Options& options) {
 int renderScene(const Options& options) {
   Stats stats;
   Stopwatch watch;
-  SceneParser scene = withMemory("to read " + displayName(options.input),
-                                 [&] { return SceneParser(options.input.c_str()); });
+  ObjectPlaces places;
+  SceneParser scene = withMemory("to read " + displayName(options.input), [&] {
+    return SceneParser(options.input.c_str(), options.tracesPixel ? &places : nullptr);
+  });
   checkFiles(options, scene.getMeshFiles());
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
@@ -158,17 +165,23 @@ int renderScene(const Options& options) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
-  const RenderTargets targets = withMemory("for images of " + size, [&] {
+  const MaterialColors materialColors(scene);
+  RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
-  if (wantsRays(targets)) {
-    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  targets.materialColors = &materialColors;
+  const auto inspectAll = [&](const Object3D& geometry) {
+    inspect({scene, places, geometry}, options, stats.threads, outputs);
+  };
+  if (wantsRays(targets) || wantsInspection(options)) {
+    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
   }
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
-  const int printed = options.stats ? print(stats.text()) : kDone;
+  const int printed =
+      print(legendOf(scene, outputs) + (options.stats ? stats.text() : std::string()));
   return written == wanted ? printed : kOutputFailed;
 }
 

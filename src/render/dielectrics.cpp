@@ -64,6 +64,7 @@ bool RayTracer::settle(const Ray& ray, double tmax, Hit& hit, Passage& passage) 
       media.emplace(*geometry_, Ray(ray.pointAtParameter(start), ray.getDirection()));
     }
     if (passThrough(*media, start, hit, passage)) return true;
+    report([&](RayObserver& observer) { observer.surfaceIsPassed(hit); });
     Hit next(tmax);
     const bool isFound = geometry_->intersect(ray, next, hit.getT());
     hit = next;

@@ -53,12 +53,13 @@ RayTracer RayTracer::watchedBy(RayObserver* observer, const Object3D& geometry) 
 Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                           Hit& hit) const {
   if (observer_ && bounces == 0) {
-    begun(RayKind::eye, {ray, tmin, weight, indexOfRefraction, {}}, 0);
+    begun(RayKind::eye, {ray, tmin, weight, indexOfRefraction, {1, 1, 1}}, 0);
   }
   const double tmax = hit.getT();
   Passage passage;
   const bool found = geometry_->intersect(ray, hit, tmin) && settle(ray, tmax, hit, passage);
   report([&](RayObserver& observer) { observer.rayMeets(found ? &hit : nullptr); });
+  if (found) report([&](RayObserver& observer) { observer.passageIsKnown(passage); });
   const Vec3f color = found ? shade(ray, hit, passage, bounces, weight, indexOfRefraction)
                             : scene_->getBackgroundColor();
   report([&](RayObserver& observer) { observer.rayEnds(color); });
@@ -91,8 +92,10 @@ Vec3f RayTracer::shadeTexture(const Ray& ray, const Hit& hit, const Passage& pas
   const SolidTexture& texture = *hit.getMaterial()->asTexture();
   Vec3d sum;
   for (const WeightedMaterial& part : texture.partsAt(hit.getIntersectionPoint())) {
+    report([&](RayObserver& observer) { observer.partBegins(*part.material, part.weight); });
     const Vec3f color = shade(ray, hit.withMaterial(part.material), passage, bounces,
                               weight * float(part.weight), indexOfRefraction);
+    report([&](RayObserver& observer) { observer.partEnds(color); });
     sum += part.weight * Vec3d(color);
   }
   return Vec3f(sum);
@@ -109,8 +112,11 @@ Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
   for (int i = 0; i < scene_->getNumLights(); ++i) {
     const LightSample light = sampleLight(i, lit);
     const Vec3f visible = light.isInFront ? visibility(hit, light) : Vec3f();
-    reportLight(i, light, visible);
-    if (light.isInFront) sum += reflected(ray, lit, light, visible);
+    reportLight(i, hit, light, visible);
+    if (visible == Vec3f()) continue;
+    const Vec3d added = reflected(ray, lit, light, visible);
+    report([&](RayObserver& observer) { observer.lightAdds(added); });
+    sum += added;
   }
   return sum;
 }
@@ -147,9 +153,13 @@ ShadowQuery RayTracer::shadowQuery(const Hit& hit, const LightSample& light) con
   return {leavingRay(hit, light.direction), epsilonAt(hit), light.distance};
 }
 
-void RayTracer::reportLight(int index, const LightSample& light, const Vec3f& visible) const {
+void RayTracer::reportLight(int index, const Hit& hit, const LightSample& light,
+                            const Vec3f& visible) const {
   report([&](RayObserver& observer) {
-    observer.lightAnswers({index, light.isInFront, light.isInFront && options_.shadows, visible});
+    const bool isAsked = light.isInFront && options_.shadows;
+    const ShadowQuery way = isAsked ? shadowQuery(hit, light) : ShadowQuery();
+    observer.lightAnswers({index, light.isInFront, isAsked, visible, light.direction,
+                           light.distance, isAsked ? &way : nullptr});
   });
 }
 
@@ -163,7 +173,8 @@ Vec3d RayTracer::follow(std::optional<TracedRay> next, int bounces) const {
 
 RayTracer::TracedRay RayTracer::begun(RayKind kind, const TracedRay& next, int bounces) const {
   report([&](RayObserver& observer) {
-    observer.rayBegins({kind, next.ray, bounces, next.weight, next.indexOfRefraction});
+    observer.rayBegins(
+        {kind, next.ray, bounces, next.weight, next.indexOfRefraction, next.tmin, next.factor});
   });
   return next;
 }

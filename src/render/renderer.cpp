@@ -8,20 +8,21 @@
 #include "render/image_plane.h"
 #include "render/ray_tracer.h"
 #include "render/sampled_renderer.h"
+#include "render/tracing_stack.h"
 #include "system/worker_threads.h"
 
 namespace {
 
 constexpr int kTileSize = 16, kTilePixels = kTileSize * kTileSize;
 static_assert(kTilePixels <= Object3D::kBatchSize, "a tile is one batch");
-/// Stack for the deepest scene, and for each bounce that the options allow (measured: below 1 kB a
-/// bounce, 1.6 kB between solid textures, 3 kB with sanitizers).
-constexpr std::size_t kBaseStack = 2 << 20, kStackPerBounce = 8192;
 /// Where rays are counted, tiles are small enough for so many threads, however many there are.
 constexpr int kWatchedThreads = 16;
 
 const Image* anyOf(const RenderTargets& targets) {
-  return targets.color ? targets.color : targets.depth ? targets.depth : targets.normals;
+  for (const Image* image : {targets.color, targets.depth, targets.normals}) {
+    if (image) return image;
+  }
+  return targets.materials;
 }
 
 /// The size of the pictures in pixels.
@@ -81,6 +82,10 @@ class TileRenderer {
     if (targets_.normals) {
       targets_.normals->setPixel(at.i, at.j, found ? normalColor(hit) : Vec3f());
     }
+    if (targets_.materials) {
+      targets_.materials->setPixel(at.i, at.j,
+                                   found ? targets_.materialColors->of(hit.getMaterial()) : Rgb8());
+    }
   }
 
   Vec3f depthColor(const Hit& hit) const {
@@ -118,8 +123,7 @@ void renderTiles(const Watch& watch, const RenderOptions& options, int threads,
                  const MakeRenderer& makeRenderer) {
   const int tiles = makeRenderer(watch.tracer).tileCount();
   std::atomic<int> next{0};
-  const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
-  runOnThreads(std::min(threads, tiles), stack, [&](int thread) {
+  runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int thread) {
     const RayTracer tracer = watch.tracerOf(thread);
     const auto renderer = makeRenderer(tracer);
     for (int tile; (tile = next++) < tiles;) renderer.renderTile(tile);

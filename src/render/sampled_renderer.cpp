@@ -13,8 +13,6 @@ constexpr int kBlock = 16, kMostBlocks = 8, kTilesPerThread = 4;
 /// What the first samples of a tile may take where others may have to be added to them.
 constexpr std::size_t kMostTileBytes = 32 << 20;
 
-bool isRefined(const Sampler& sampler) { return sampler.getNumFirst() < sampler.getNumSamples(); }
-
 int tilesAlong(int pixels, int tileSize) { return (pixels + tileSize - 1) / tileSize; }
 
 /// The side of a tile with `margin` pixels around it that are traced too: 32 times as long, up to
@@ -34,6 +32,23 @@ int tileSizeFor(const SampledScene& scene, const Sampler& sampler, int margin, i
 }
 
 }  // namespace
+
+bool isRefined(const Sampler& sampler) { return sampler.getNumFirst() < sampler.getNumSamples(); }
+
+void takeSamples(const SampledScene& scene, const Sampler& sampler, double tolerance,
+                 const PixelRectangle& sources, const AdaptiveSampling::Receiver& receiver) {
+  if (isRefined(sampler)) {
+    return AdaptiveSampling(scene, sampler, tolerance, sources).finish(receiver);
+  }
+  SampleBatch batch(scene,
+                    [&](const Sample& sample, const Vec3f& color) { receiver(sample, color, 1); });
+  for (const Pixel at : pixelsInOrder(sources)) {
+    for (int n = 0; n < sampler.getNumSamples(); ++n) {
+      batch.add({at, sampler.getSamplePosition(at.i, at.j, n)});
+    }
+  }
+  batch.flush();
+}
 
 SampledRenderer::SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
                                  const RenderTargets& targets, int threads)
@@ -66,18 +81,7 @@ void SampledRenderer::renderTile(int tile) const {
       drawSample(*targets_.samples, targets_.samplesZoom, sample, color);
     }
   };
-  if (isRefined(*sampler_)) {
-    AdaptiveSampling(scene_, *sampler_, options_.tolerance, sources).finish(take);
-  } else {
-    SampleBatch batch(scene_,
-                      [&](const Sample& sample, const Vec3f& color) { take(sample, color, 1); });
-    for (const Pixel at : pixelsInOrder(sources)) {
-      for (int n = 0; n < sampler_->getNumSamples(); ++n) {
-        batch.add({at, sampler_->getSamplePosition(at.i, at.j, n)});
-      }
-    }
-    batch.flush();
-  }
+  takeSamples(scene_, *sampler_, options_.tolerance, sources, take);
   if (targets_.color) store(film, area);
 }
 

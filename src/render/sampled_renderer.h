@@ -5,10 +5,19 @@
 // in an order of the whole plane (blocks of 16 x 16 pixels row by row, Morton's order in a block,
 // the samples of a pixel by number), so no byte depends on where tiles begin or end.
 #pragma once
+#include "render/adaptive_sampling.h"
 #include "render/film.h"
 #include "render/renderer.h"
 #include "render/sample_batch.h"
 #include "render/sampler.h"
+
+/// Hands the samples of the pixels in `sources`, and their colours, to `receiver`, in the order
+/// said above. `scene` and `sampler` must last as long as the call.
+void takeSamples(const SampledScene& scene, const Sampler& sampler, double tolerance,
+                 const PixelRectangle& sources, const AdaptiveSampling::Receiver& receiver);
+
+/// True where some pixels may get more samples than others.
+bool isRefined(const Sampler& sampler);
 
 class SampledRenderer {
  public:

@@ -178,7 +178,7 @@ void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int 
     if (!isFound(hits[i])) continue;
     std::optional<Hit> turned;
     const LightSample light = sampleLight(index, litSide(rays[i].ray, hits[i], turned));
-    if (!light.isInFront) reportLight(index, light, Vec3f());
+    if (!light.isInFront) reportLight(index, hits[i], light, Vec3f());
     if (!light.isInFront) continue;
     ways.push_back(shadowQuery(hits[i], light));
     asked.push_back({i, light});
@@ -186,9 +186,9 @@ void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int 
   bool blocked[Object3D::kBatchSize];
   geometry_->occludedBatch(ways.data(), int(ways.size()), blocked);
   for (std::size_t k = 0; k < asked.size(); ++k) {
-    reportLight(index, asked[k].light, blocked[k] ? Vec3f() : Vec3f(1, 1, 1));
-    if (blocked[k]) continue;
     const int i = asked[k].place;
+    reportLight(index, hits[i], asked[k].light, blocked[k] ? Vec3f() : Vec3f(1, 1, 1));
+    if (blocked[k]) continue;
     std::optional<Hit> turned;
     const Hit& lit = litSide(rays[i].ray, hits[i], turned);
     sums[std::size_t(i)] += reflected(rays[i].ray, lit, asked[k].light, Vec3f(1, 1, 1));

@@ -16,6 +16,14 @@ constexpr std::size_t kFlatTrianglesNamed = 10;
 
 /// Reads the object whose name is the current word, one of kObjectWords.
 const Object3D* SceneBuilder::readObject() {
+  if (!places_) return readUnnotedObject();
+  places_->begin(in_.word(), in_.at());
+  const Object3D* const object = readUnnotedObject();
+  places_->end(object);
+  return object;
+}
+
+const Object3D* SceneBuilder::readUnnotedObject() {
   const std::string_view word = in_.word();
   if (word == "Sphere") return readSphere();
   if (word == "Triangle") return readTriangle();

@@ -30,7 +30,7 @@ void SceneBuilder::readSection() {
     readMaterials();
   } else {
     hasGroup_ = true;
-    if (const Object3D* group = readGroup()) scene_.group_.addObject(group);
+    if (const Object3D* group = readObject()) scene_.group_.addObject(group);
   }
 }
 

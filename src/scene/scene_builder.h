@@ -9,6 +9,7 @@
 
 #include "scene/block_reader.h"
 #include "scene/mesh_library.h"
+#include "scene/object_places.h"
 #include "scene/scene_parser.h"
 #include "shading/solid_texture.h"
 
@@ -19,6 +20,9 @@ class SceneBuilder {
 
   /// All three must outlive the builder.
   SceneBuilder(const SourceText& text, MistakeLog& log, SceneParser& scene);
+
+  /// Also enters in `places` where each object stands; not owned.
+  void note(ObjectPlaces& places) { places_ = &places; }
 
   /// Reads everything; mistakes go to the log.
   void build();
@@ -83,6 +87,7 @@ class SceneBuilder {
 
   // Objects: each returns null where there was a mistake. The scene owns what they return.
   const Object3D* readObject();
+  const Object3D* readUnnotedObject();
   const Object3D* readGroup();
   const Object3D* readTransform();
   const Object3D* readSphere();
@@ -122,6 +127,7 @@ class SceneBuilder {
   MeshLibrary meshes_;
   std::vector<std::pair<std::size_t, std::string>> warnings_;  // with their place in the file
   const Material* material_ = nullptr;                         // the current one; not owned
+  ObjectPlaces* places_ = nullptr;                             // null where nobody asks
   int listedMaterials_ = 0;
   int depth_ = 0;
   std::size_t flatTriangles_ = 0;

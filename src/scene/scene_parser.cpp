@@ -8,10 +8,16 @@
 #include "scene/scene_builder.h"
 #include "scene/source_text.h"
 
-SceneParser::SceneParser(const char* filename) {
+SceneParser::SceneParser(const char* filename, ObjectPlaces* places) {
   const SourceText text = SourceText::read(filename);
   MistakeLog log(MistakeLog::Mode::throwFirst);
-  SceneBuilder(text, log, *this).build();
+  SceneBuilder builder(text, log, *this);
+  if (places) {
+    *places = ObjectPlaces(text.name(), text.bytes().data());
+    builder.note(*places);
+  }
+  builder.build();
+  if (places) places->finish();
 }
 
 SceneParser::~SceneParser() = default;

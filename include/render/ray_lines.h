@@ -1,0 +1,42 @@
+// RayLines: an observer that keeps rays as lines in space, for a modeller or mesh viewer.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/ray_observer.h"
+#include "render/render_options.h"
+
+class RayLines : public RayObserver {
+ public:
+  /// `geometry` answers for the scene's objects and is not owned; `options` are those of the
+  /// tracer. A ray that meets nothing is drawn `escapeLength` > 0 long.
+  RayLines(const Object3D& geometry, const RenderOptions& options, double escapeLength)
+      : geometry_(geometry), options_(options), escapeLength_(escapeLength) {}
+
+  void rayBegins(const RayBegin& ray) override;
+  void rayMeets(const Hit* hit) override;
+  void lightAnswers(const LightVerdict& verdict) override;
+
+  /// All lines as a Wavefront OBJ file in the scene's units, at least one object for each kind of
+  /// ray that there is, named by the kind: eye, mirror, refracted, and the shadow rays that are
+  /// lit, tinted and blocked. Each ray is an `l` of two vertices, which have the kind's colour
+  /// (`v x y z r g b`). Lines with an end that is not finite are left out.
+  std::string obj() const;
+
+ private:
+  enum Kind { eye, mirror, refracted, lit, tinted, blocked };
+  static constexpr int kKinds = 6;
+  struct Line {
+    Vec3d from, to;
+  };
+
+  void add(Kind kind, const Ray& ray, double from, double to);
+
+  const Object3D& geometry_;
+  const RenderOptions options_;
+  const double escapeLength_;
+  Ray ray_;  // the one that began last
+  Kind kind_ = eye;
+  std::array<std::vector<Line>, kKinds> lines_;
+};

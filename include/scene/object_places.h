@@ -1,0 +1,58 @@
+// ObjectPlaces: where each object of a scene stands: on which line, and inside which others.
+// A table beside the scene, made only where it is asked for: objects know nothing of it.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class Object3D;
+
+class ObjectPlaces {
+ public:
+  /// Knows no object.
+  ObjectPlaces() = default;
+  /// For a file of that name, whose text begins at `text`.
+  ObjectPlaces(std::string file, const char* text) : file_(std::move(file)), counted_(text) {}
+
+  // While the scene is read: each object begins, its members begin and end, it ends.
+
+  /// `kind` is the object's name in the file, one of kObjectWords, at `place` of the text, which is
+  /// behind all places before.
+  void begin(std::string_view kind, const char* place);
+  /// The object that began last and has not ended: null where there was a mistake.
+  void end(const Object3D* object);
+  /// All objects have been read. The text is not needed any more.
+  void finish();
+
+  // After finish(), in a time that grows with the logarithm of the number of objects.
+
+  /// The line of the object's name, counted from 1; 0 where the object is none of the scene's.
+  std::size_t lineOf(const Object3D* object) const;
+  /// The object and what it is in, outermost first: "Group 1 > Transform 3 > Sphere". The numbers
+  /// count the members of a Group, and the Groups of the file, from 1; what is in a Transform is
+  /// alone there. Empty where the object is none of the scene's.
+  std::string pathOf(const Object3D* object) const;
+  const std::string& file() const { return file_; }
+
+ private:
+  static constexpr std::size_t kNone = std::size_t(-1);
+  struct Entry {
+    const Object3D* object;
+    std::string_view kind;  // a literal of kObjectWords
+    std::size_t line;
+    std::size_t parent;   // an index; kNone outside of all
+    std::size_t number;   // among the members of the parent
+    std::size_t members;  // so far
+  };
+
+  const Entry* find(const Object3D* object) const;
+  std::string nameOf(const Entry& entry) const;
+
+  std::string file_;
+  const char* counted_ = nullptr;  // lines before this have been counted
+  std::size_t line_ = 1;
+  std::size_t open_ = kNone, topMembers_ = 0;
+  std::vector<Entry> entries_;         // in file order
+  std::vector<std::size_t> byObject_;  // indices, by the object's address
+};

@@ -1,0 +1,34 @@
+// Inspection: what a run finds out besides the pictures that rays make: how many rays each pixel
+// takes (-heatmap), and all that becomes of one ray (-pixel, -pixel_obj).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "cli/outputs.h"
+#include "scene/object_places.h"
+#include "scene/scene_parser.h"
+
+/// True where the options ask for any of it.
+bool wantsInspection(const Options& options);
+
+/// The scene, where its objects stand in its file (filled where options.tracesPixel), and what
+/// answers for them. Nothing is owned.
+struct InspectedScene {
+  const SceneParser& scene;
+  const ObjectPlaces& places;
+  const Object3D& geometry;
+};
+
+/// Draws the heat map in its output and stores the lines of the pixel's rays in theirs, where
+/// `outputs` has them. Writes the tree of rays to standard output, as far as that takes it: the
+/// caller looks at ferror(stdout).
+void inspect(const InspectedScene& inspected, const Options& options, int threads,
+             std::vector<Output>& outputs);
+
+/// What the pictures among `outputs` mean, in lines: the materials that -materials shows and the
+/// scale of -heatmap; "" where neither is there.
+std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs);
+
+/// Throws UsageError where the pixel to trace is outside of the picture, or there is none.
+void checkPixel(const Options& options);
