@@ -6,7 +6,7 @@
 
 #include "cli/program.h"
 #include "image/output_file.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 
 namespace {
 
@@ -51,6 +51,6 @@ void makeImages(std::vector<Output>& outputs, int width, int height) {
 std::size_t writeAll(const std::vector<Output>& outputs) {
   std::size_t written = 0;
   for (const Output& output : outputs)
-    written += succeeds(output, [&] { writeTga(output.image, output.file); });
+    written += succeeds(output, [&] { writePicture(output.image, output.file); });
   return written;
 }
