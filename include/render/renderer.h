@@ -2,6 +2,7 @@
 // centre, unless RenderOptions::sampling says otherwise.
 #pragma once
 #include "geometry/object3d.h"
+#include "image/float_image.h"
 #include "image/image.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
@@ -14,6 +15,11 @@ struct RenderTargets {
   Image* normals = nullptr;
   Image* samples = nullptr;  ///< where the samples lie, and their colours
   int samplesZoom = 1;
+  /// Where the colours go besides before they become bytes, unclamped; each only where the target
+  /// of the same name is given, and of its size.
+  FloatImage* exactColor = nullptr;
+  FloatImage* exactDepth = nullptr;
+  FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
 };

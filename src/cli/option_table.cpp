@@ -1,6 +1,7 @@
 // The table of all arguments.
 #include "cli/option_table.h"
 
+#include "cli/compare_arguments.h"
 #include "cli/option_values.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
@@ -100,7 +101,8 @@ std::vector<OptionRow> runningRows() {
   return {
       {group, "threads", nullptr, "N", nullptr,
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
-       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
+       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); },
+       OptionRow::Mode::both},
       {group, "accel", nullptr, "NAME", "fast",
        "fast, or tree: the plain object tree, for checking", setAccel},
       {group, "simd", nullptr, "LEVEL", "auto",
@@ -111,17 +113,17 @@ std::vector<OptionRow> runningRows() {
        "print what was used and how long it took, in lines of NAME: VALUE",
        [](Given, Options& o) { o.stats = true; }},
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
-       [](Given, Options& o) { o.quiet = true; }},
+       [](Given, Options& o) { o.quiet = true; }, OptionRow::Mode::both},
       {group, "help", nullptr, "", nullptr, "print this list",
-       [](Given, Options& o) { o.help = true; }},
+       [](Given, Options& o) { o.help = true; }, OptionRow::Mode::both},
       {group, "version", nullptr, "", nullptr, "print the version",
-       [](Given, Options& o) { o.version = true; }},
+       [](Given, Options& o) { o.version = true; }, OptionRow::Mode::both},
   };
 }
 
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
-  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), runningRows()})
+  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), compareRows(), runningRows()})
     table.insert(table.end(), rows.begin(), rows.end());
   return table;
 }

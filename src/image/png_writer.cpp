@@ -172,12 +172,14 @@ void encode(const Image& image, Effort effort, const Put& put) {
 
 Bytes encodePng(const Image& image, PngEffort effort) {
   Bytes all;
-  encode(image, effort == PngEffort::quick ? kQuick : effortFor(image), [&all](const Bytes& piece) { all.insert(all.end(), piece.begin(), piece.end()); });
+  encode(image, effort == PngEffort::quick ? kQuick : effortFor(image),
+         [&all](const Bytes& piece) { all.insert(all.end(), piece.begin(), piece.end()); });
   return all;
 }
 
 void writePng(const Image& image, const std::string& path) {
   OutputFile file(path);
-  encode(image, effortFor(image), [&file](const Bytes& piece) { file.write(piece.data(), piece.size()); });
+  encode(image, effortFor(image),
+         [&file](const Bytes& piece) { file.write(piece.data(), piece.size()); });
   file.commit();
 }
