@@ -19,6 +19,10 @@ std::string overText(const Comparison& figures) {
          " pixels (" + numberText(figures.percentOver()) + " %)";
 }
 
+std::string psnrText(const Comparison& figures) {
+  return std::isinf(figures.psnr) ? "inf" : numberText(figures.psnr) + " dB";
+}
+
 /// In double quotes where a field needs them, RFC 4180.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -57,7 +61,7 @@ std::string verdict(const ComparedPair& pair) {
   const Comparison& f = *pair.figures;
   if (f.maximum == 0) return "equal";
   return "maximum " + std::to_string(f.maximum) + ", mean " + numberText(f.mean) + ", PSNR " +
-         numberText(f.psnr) + " dB, over the tolerance " + overText(f);
+         psnrText(f) + ", over the tolerance " + overText(f);
 }
 
 std::string figureLines(const ComparedPair& pair, const CompareOptions& options) {
@@ -73,7 +77,7 @@ std::string figureLines(const ComparedPair& pair, const CompareOptions& options)
   const bool isEqual = f.maximum == 0, isOver = f.pixelsOver > 0;
   return text + line("size", size(pair.actualWidth, pair.actualHeight)) +
          line("maximum", std::to_string(f.maximum)) + line("mean", numberText(f.mean)) +
-         line("rms", numberText(f.rms)) + line("psnr", numberText(f.psnr) + " dB") +
+         line("rms", numberText(f.rms)) + line("psnr", psnrText(f)) +
          line("tolerance", std::to_string(options.tolerance)) +
          line("over tolerance", overText(f)) +
          line("worst pixel", isEqual ? "none" : place(f.worstX, f.worstY)) +

@@ -132,7 +132,7 @@ std::string figureRows(const ComparedPair& pair) {
   const Comparison& f = *pair.figures;
   text += row("Size", std::to_string(pair.actualWidth) + " x " + std::to_string(pair.actualHeight));
   text += row("Maximum", std::to_string(f.maximum)) + row("Mean", numberText(f.mean)) +
-          row("RMS", numberText(f.rms)) + row("PSNR", numberText(f.psnr) + " dB") +
+          row("RMS", numberText(f.rms)) + row("PSNR in dB", numberText(f.psnr)) +
           row("Pixels over", std::to_string(f.pixelsOver) + " of " + std::to_string(f.pixels) +
                                  " (" + numberText(f.percentOver()) + " %)");
   if (f.maximum > 0) {

@@ -15,7 +15,12 @@ using Words = std::vector<std::string>;
 
 /// Parses a complete command that also has `words`.
 Options parse(const Words& words) {
+  const std::string name =
+      words.empty() ? ""
+                    : words[0].substr(std::min(words[0].size(), words[0].find_first_not_of('-')));
+  const OptionRow* row = findOption(name);
   Words all = {"-input", "scene.txt", "-output", "out.tga"};
+  if (row && row->mode == OptionRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
   all.insert(all.end(), words.begin(), words.end());
   return parseOptions(all);
 }
@@ -49,6 +54,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
     if (word == "R" || word == "SIGMA" || word == "TOLERANCE" || word == "ZOOM") word = "1";
     if (word == "MAX") word = "2";
+    if (word == "P") word = "1";
   }
   return words;
 }
@@ -110,7 +116,13 @@ TEST("every argument of the contract is in the table") {
                            "quiet",
                            "check",
                            "help",
-                           "version"})
+                           "version",
+                           "compare",
+                           "tolerance",
+                           "fail_percent",
+                           "diff",
+                           "report",
+                           "csv"})
     CHECK(findOption(name) != nullptr);
 }
 

@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "image/difference.h"
-#include "image/picture_file.h"
+#include "image/png.h"
 #include "render/renderer.h"
 
 namespace {
