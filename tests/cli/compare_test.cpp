@@ -228,6 +228,7 @@ TEST("a PFM holds colours above 1") {
   const Desk desk;
   std::string scene = check::smallScene();
   scene.replace(scene.find("color 0.2 0.2 0.2"), 17, "color 3 0 -1");
+  scene.replace(scene.find("center 0 0 0"), 12, "center 0 99 0");  // out of sight
   desk.write("scene.txt", scene);
   for (const char* sampling : {"", " -uniform_samples 4"}) {
     CHECK_EQUAL(check::runProgram(
@@ -238,4 +239,20 @@ TEST("a PFM holds colours above 1") {
     // The corner shows the background; 3 is 40400000, -1 BF800000.
     CHECK(file.substr(10, 12) == std::string("\0\0\x40\x40\0\0\0\0\0\0\x80\xbf", 12));
   }
+}
+
+TEST("the report works with keys and clicks in a browser") {
+  const Desk desk;
+  desk.put("e/a.png", greys(0, 0));
+  desk.put("e/b.png", greys(0, 0));
+  desk.put("a/a.png", greys(9, 9));
+  desk.put("a/b.png", greys(0, 0));
+  CHECK_EQUAL(desk.status("e a -report r.html"), 1);
+  const std::string command = "cd " + quoted(desk.path()) + " && timeout 60 python3 " +
+                              quoted(check::testsFolder() + "/report_in_browser.py") +
+                              " r.html shot.png >found 2>&1";
+  const int result = std::system(command.c_str());
+  const int status = WIFEXITED(result) ? WEXITSTATUS(result) : 255;
+  if (status == 77 || status == 127) SKIP("no Chromium or no python3 is installed");
+  CHECK_EQUAL(check::contentOf(desk.file("found")), "ok\n");
 }
