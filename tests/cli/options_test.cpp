@@ -51,10 +51,8 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
-    if (word == "R" || word == "SIGMA" || word == "TOLERANCE" || word == "ZOOM") word = "1";
+    if (std::string(" MIN N W H E P ").find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "MAX") word = "2";
-    if (word == "P") word = "1";
   }
   return words;
 }
