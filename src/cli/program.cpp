@@ -49,6 +49,10 @@ int threadCount(const Options& options) {
   return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
 }
 
+bool needsClosedMeshes(const RenderOptions& render) {
+  return render.transparentShadows || render.nestedDielectrics || render.fresnel;
+}
+
 bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples;
 }
@@ -124,7 +128,7 @@ SceneParser readScene(const Options& options) {
 
 void prepareScene(SceneParser& scene, const Options& options) {
   printWarnings(scene, options);
-  if (options.render.transparentShadows) {
+  if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
 }
