@@ -51,7 +51,8 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    if (std::string(" MIN N W H E P ").find(" " + word + " ") != std::string::npos) word = "1";
+    const std::string numbers = " MIN N W H E P R SIGMA TOLERANCE ZOOM ";
+    if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "MAX") word = "2";
   }
   return words;
