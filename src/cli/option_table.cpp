@@ -47,7 +47,8 @@ std::vector<OptionRow> fileRows() {
        "scene to read (needed but for -compare); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
       {group, "output", nullptr, "FILE", nullptr,
-       "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is missing or unknown; so it does for the other images",
+       "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
+       "missing or unknown; so it does for the other images",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {

@@ -121,8 +121,6 @@ TEST("every argument of the contract is in the table") {
                            "compare",
                            "tolerance",
                            "fail_percent",
-                           "diff",
-                           "report",
                            "csv"})
     CHECK(findOption(name) != nullptr);
 }
