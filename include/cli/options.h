@@ -7,6 +7,7 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid_frame.h"
+#include "cli/compare_options.h"
 #include "render/render_options.h"
 
 /// A mistake in the command line: what() says what was expected and what was found.
@@ -50,6 +51,7 @@ struct Options {
   bool tracesPixel = false;     ///< print the rays of pixel (pixelX, pixelY)
   int pixelX = 0, pixelY = 0;   ///< from the top left, within width x height
   std::string pixelObjOutput;   ///< the same rays as lines; only with tracesPixel
+  CompareOptions compare;       ///< a mode of its own: there is then no scene
 
   RenderOptions render;
   int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
@@ -68,7 +70,7 @@ struct Options {
 
 /// Reads the command line `words`, without the program's own name. Throws UsageError at the first
 /// mistake. Unless help or the version is asked for, the result names a scene and something to do
-/// with it; that no two files are the same is left to checkFiles.
+/// with it, or two things to compare; that no two files are the same is left to checkFiles.
 Options parseOptions(const std::vector<std::string>& words);
 
 /// Throws UsageError where two outputs name the same file, or an output is the scene or one of

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/object3d.h"
+#include "image/float_image.h"
 #include "image/image.h"
 #include "render/material_colors.h"
 #include "render/ray_observer.h"
@@ -20,6 +21,11 @@ struct RenderTargets {
   int samplesZoom = 1;
   Image* materials = nullptr;  ///< each surface in the colour that materialColors has for it
   const MaterialColors* materialColors = nullptr;  ///< given where `materials` is
+  /// Where the colours go besides before they become bytes, unclamped; each only where the target
+  /// of the same name is given, and of its size.
+  FloatImage* exactColor = nullptr;
+  FloatImage* exactDepth = nullptr;
+  FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
 };

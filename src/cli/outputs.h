@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "image/float_image.h"
 #include "image/image.h"
 
 struct Output {
@@ -11,6 +12,7 @@ struct Output {
   Kind kind;
   std::string file;
   Image image;       ///< empty until makeImages, of `rays` always
+  FloatImage exact;  ///< its unclamped colours, empty where the format of the file has none
   std::string text;  ///< of `rays`: what is written; of `heatmap`: its scale
 };
 
@@ -26,3 +28,7 @@ void makeImages(std::vector<Output>& outputs, const Options& options);
 
 /// Writes every output, complaining of each that fails, and returns how many were written.
 std::size_t writeAll(const std::vector<Output>& outputs);
+
+/// Reads the scene and renders the outputs that `options` name, without writing them. Prints the
+/// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
+std::vector<Output> renderPictures(const Options& options);

@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 
+#include "accel/compiled_scene.h"
+#include "cli/compare_run.h"
 #include "cli/inspection.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
@@ -36,13 +38,6 @@ std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
-int print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0 && !std::ferror(stdout)) return kDone;
-  complain("cannot write to standard output");
-  return kOutputFailed;
-}
-
 int checkScene(const Options& options) {
   const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
     return SceneParser::check(options.input.c_str());
@@ -64,13 +59,24 @@ bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples || targets.materials;
 }
 
+FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
+
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
-    if (output.kind == Output::Kind::color) targets.color = &output.image;
-    if (output.kind == Output::Kind::depth) targets.depth = &output.image;
-    if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::color) {
+      targets.color = &output.image;
+      targets.exactColor = exactOf(output);
+    }
+    if (output.kind == Output::Kind::depth) {
+      targets.depth = &output.image;
+      targets.exactDepth = exactOf(output);
+    }
+    if (output.kind == Output::Kind::normals) {
+      targets.normals = &output.image;
+      targets.exactNormals = exactOf(output);
+    }
     if (output.kind == Output::Kind::samples) targets.samples = &output.image;
     if (output.kind == Output::Kind::materials) targets.materials = &output.image;
   }
@@ -144,24 +150,22 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  ObjectPlaces places;
-  SceneParser scene = withMemory("to read " + displayName(options.input), [&] {
+SceneParser readScene(const Options& options, ObjectPlaces& places) {
+  return withMemory("to read " + displayName(options.input), [&] {
     return SceneParser(options.input.c_str(), options.tracesPixel ? &places : nullptr);
   });
-  checkFiles(options, scene.getMeshFiles());
+}
+
+void prepareScene(SceneParser& scene, const Options& options) {
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
-  stats.readSeconds = watch.restart();
+}
 
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
+/// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
+void renderOutputs(const SceneParser& scene, const ObjectPlaces& places, const Options& options,
+                   std::vector<Output>& outputs, Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -177,6 +181,22 @@ int renderScene(const Options& options) {
   if (wantsRays(targets) || wantsInspection(options)) {
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
   }
+}
+
+int renderScene(const Options& options) {
+  Stats stats;
+  Stopwatch watch;
+  ObjectPlaces places;
+  SceneParser scene = readScene(options, places);
+  checkFiles(options, scene.getMeshFiles());
+  prepareScene(scene, options);
+  stats.readSeconds = watch.restart();
+
+  std::vector<Output> outputs = wantedOutputs(options);
+  const std::size_t wanted = outputs.size();
+  dropUnwritable(outputs);
+  if (outputs.empty() && wanted > 0) return kOutputFailed;
+  renderOutputs(scene, places, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
@@ -190,16 +210,34 @@ int runHere(const Options& options) {
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
   if (options.check) return checkScene(options);
+  if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
   return renderScene(options);
 }
 
 }  // namespace
 
+std::vector<Output> renderPictures(const Options& options) {
+  Stats stats;
+  ObjectPlaces places;
+  SceneParser scene = readScene(options, places);
+  prepareScene(scene, options);
+  std::vector<Output> outputs = wantedOutputs(options);
+  renderOutputs(scene, places, options, outputs, stats);
+  return outputs;
+}
+
 int runProgram(const Options& options) {
   int status = kDone;
   runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
   return status;
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0 && !std::ferror(stdout)) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
 }
 
 void complain(const std::string& message) {
