@@ -31,14 +31,14 @@ std::string resultOf(const Options& options, const PixelColors& colors) {
   const std::string note =
       options.render.sampling.isPlain()
           ? ""
-          : "above is the ray through the pixel's centre; below is the filtered colour of the "
-            "pixel's samples\n";
+          : "the rays above come of the one through the pixel's centre; the colour of all its "
+            "samples, filtered:\n";
   return note + "color " + textOf(colors.pixel) + "\npixel " + std::to_string(options.pixelX) +
          " " + std::to_string(options.pixelY) + " = " + std::to_string(bytes.r) + " " +
          std::to_string(bytes.g) + " " + std::to_string(bytes.b) + "\n";
 }
 
-void inspectPixel(const InspectedScene& inspected, const Options& options, Output* obj) {
+std::string inspectPixel(const InspectedScene& inspected, const Options& options, Output* obj) {
   const SceneNames names(inspected.scene, inspected.places);
   RayReport report(names, inspected.geometry, options.render, writeOut);
   const double span = inspected.scene.getSpan();
@@ -49,8 +49,8 @@ void inspectPixel(const InspectedScene& inspected, const Options& options, Outpu
                                 options.height - 1 - options.pixelY};
   const PixelColors colors =
       tracePixel(inspected.scene, inspected.geometry, options.render, place, observers);
-  writeOut(resultOf(options, colors));
   if (obj) obj->text = lines.obj();
+  return resultOf(options, colors);
 }
 
 }  // namespace
@@ -59,15 +59,16 @@ bool wantsInspection(const Options& options) {
   return options.tracesPixel || !options.heatmapOutput.empty();
 }
 
-void inspect(const InspectedScene& inspected, const Options& options, int threads,
-             std::vector<Output>& outputs) {
+std::string inspect(const InspectedScene& inspected, const Options& options, int threads,
+                    std::vector<Output>& outputs) {
   if (Output* const heat = find(outputs, Output::Kind::heatmap)) {
     const std::vector<std::uint32_t> counts =
         countRays(inspected.scene, inspected.geometry, options.render, threads, options.width,
                   options.height);
     heat->text = drawHeatmap(counts, heat->image);
   }
-  if (options.tracesPixel) inspectPixel(inspected, options, find(outputs, Output::Kind::rays));
+  if (!options.tracesPixel) return "";
+  return inspectPixel(inspected, options, find(outputs, Output::Kind::rays));
 }
 
 std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs) {

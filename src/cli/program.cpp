@@ -164,8 +164,9 @@ void prepareScene(SceneParser& scene, const Options& options) {
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-void renderOutputs(const SceneParser& scene, const ObjectPlaces& places, const Options& options,
-                   std::vector<Output>& outputs, Stats& stats) {
+/// Returns what inspect() does.
+std::string renderOutputs(const SceneParser& scene, const ObjectPlaces& places,
+                          const Options& options, std::vector<Output>& outputs, Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -175,12 +176,14 @@ void renderOutputs(const SceneParser& scene, const ObjectPlaces& places, const O
     return targetsOf(options, outputs, unwritten);
   });
   targets.materialColors = &materialColors;
+  std::string lastLines;
   const auto inspectAll = [&](const Object3D& geometry) {
-    inspect({scene, places, geometry}, options, stats.threads, outputs);
+    lastLines = inspect({scene, places, geometry}, options, stats.threads, outputs);
   };
   if (wantsRays(targets) || wantsInspection(options)) {
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
   }
+  return lastLines;
 }
 
 int renderScene(const Options& options) {
@@ -196,12 +199,12 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
-  renderOutputs(scene, places, options, outputs, stats);
+  const std::string lastLines = renderOutputs(scene, places, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
-  const int printed =
-      print(legendOf(scene, outputs) + (options.stats ? stats.text() : std::string()));
+  const std::string statsText = options.stats ? stats.text() : "";
+  const int printed = print(legendOf(scene, outputs) + statsText + lastLines);
   return written == wanted ? printed : kOutputFailed;
 }
 
