@@ -49,7 +49,7 @@ class RandomPlainScene {
       PlainMaterial material;
       material.diffuse = color(0, 0.8);
       if (oneIn(2)) material.specular = color(0, 1);
-      material.exponent = oneIn(8) ? 0 : float(random_.logUniform(0.5, 200));
+      material.exponent = oneIn(8) ? 0 : float(random_.logUniform(0.5, 5000));
       if (oneIn(3)) material.reflective = color(0, 0.9);
       if (oneIn(3)) material.transparent = color(0.2, 1);
       material.index = oneIn(4) ? 1 : float(random_.uniform(0.7, 2.5));
