@@ -63,8 +63,9 @@ class RandomPlainScene {
     for (int i = 0; i < count; ++i) {
       PlainLight light;
       light.isPoint = oneIn(2);
-      light.place = light.isPoint ? somewhere(6) : random_.unitVector() * random_.uniform(0.1, 3);
-      if (oneIn(2)) light.place[1] = light.isPoint ? 6 * unit_ : -2;
+      light.place = light.isPoint ? somewhere(oneIn(3) ? 1 : 6)
+                                  : random_.unitVector() * random_.uniform(0.1, 3);
+      if (oneIn(3)) light.place[1] = light.isPoint ? 6 * unit_ : -2;
       light.color = color(0.1, 0.8);
       if (light.isPoint && oneIn(2)) {
         light.attenuation = Vec3f(float(random_.uniform(0.5, 1)), float(0.1 / unit_),
