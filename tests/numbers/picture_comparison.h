@@ -65,15 +65,20 @@ class PictureComparison {
     tracer_.settings() = settingsOf(setup.options, tracer_.world().span());
   }
 
-  /// Draws the scene as `files` tell the program; `name` is for messages.
+  /// Draws the scene as `files` tell the program; `name` is for messages. The files of the first
+  /// scene that fails are kept.
   void compare(SceneFiles& files, const std::string& name, Tally& tally) const {
     SceneParser scene(files.scene().c_str());
     scene.findClosedMeshes();
     const Pictures pictures(scene, setup_);
+    const std::string label = name + " (" + files.scene() + ")";
+    const bool wasRight = tally.cases.firstFailure().empty();
     for (int y = 0; y < setup_.height; ++y) {
-      for (int x = 0; x < setup_.width; ++x) comparePixel(pictures, x, y, name, tally);
+      for (int x = 0; x < setup_.width; ++x) {
+        comparePixel(pictures, x, y, label, tally);
+      }
     }
-    if (!tally.cases.firstFailure().empty()) files.keep();
+    if (wasRight && !tally.cases.firstFailure().empty()) files.keep();
   }
 
   LongPixel pixel(int x, int y, double aside = 0, double above = 0) const {
