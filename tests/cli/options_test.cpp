@@ -47,6 +47,7 @@ Words split(const std::string& text) {
 /// The words that must be given beside an argument.
 Words companionsOf(const OptionRow& row) {
   const bool drawsGrid = std::string(row.name).rfind("visualize_grid", 0) == 0;
+  if (std::string(row.name) == "pixel_obj") return {"-pixel", "1", "1"};
   return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
 }
 
@@ -57,7 +58,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    const std::string numbers = " MIN N W H E NX NY NZ P R SIGMA TOLERANCE ZOOM ";
+    const std::string numbers = " MIN N W H E NX NY NZ P R SIGMA TOLERANCE X Y ZOOM ";
     if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "MAX") word = "2";
   }
@@ -311,9 +312,11 @@ TEST("a scene and something to do with it are needed") {
   };
   CHECK(contains(message("-output out.tga"), "-input"));
   CHECK(contains(message("-input scene.txt"),
-                 "-output, -depth, -normals, -render_samples, -render_filter, -stats and -check"));
-  for (const char* enough : {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a",
-                             "-normal a", "-render_samples a 2", "-render_filter a 2"})
+                 "-output, -depth, -normals, -render_samples, -render_filter, -materials, "
+                 "-heatmap, -pixel, -stats and -check"));
+  for (const char* enough :
+       {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a", "-normal a",
+        "-render_samples a 2", "-render_filter a 2", "-materials a", "-heatmap a", "-pixel 1 1"})
     CHECK_EQUAL(message((std::string("-input scene.txt ") + enough).c_str()), "");
   CHECK_EQUAL(message(""), "");
   CHECK_EQUAL(message("-help"), "");
