@@ -17,23 +17,57 @@ namespace {
 /// Fewer rays than this do not pay for a packet.
 constexpr int kFewRays = 8;
 
-/// The beam of rays from one point; false where they do not start from one.
-bool beamOfRays(const Ray* rays, int count, const NearestQuery* queries, Beam& beam) {
-  beam.point = rays[0].getOrigin();
-  beam.spread = 0;
-  beam.count = count;
-  bool together = true;
-  for (int i = 0; i < count; ++i) {
-    together &= rays[i].getOrigin() == beam.point;
-    const Vec3d& direction = rays[i].getDirection();
-    beam.direction[0][i] = direction.x();
-    beam.direction[1][i] = direction.y();
-    beam.direction[2][i] = direction.z();
-    beam.tmin[i] = queries[i].tmin;
-    beam.tmax[i] = queries[i].t;
+/// A beam and the rays of it, which are the first ones of those given.
+class BeamOfRays : public Beam {
+ public:
+  /// Takes rays into the beam until one does not belong to it. Eye rays start at the point of the
+  /// beam. The rays that a flat mirror sends on come, when they are followed back, from a point
+  /// behind it, that mirror's picture of the eye, up to rounding.
+  BeamOfRays(const Ray* rays, int most, const NearestQuery* queries) {
+    count = 0;
+    spread = 0;
+    point = rays[0].getOrigin();
+    const bool startThere = most < 2 || rays[1].getOrigin() == point;
+    if (!startThere && !findPoint(rays, most)) return;
+    while (count < most && add(rays[count], queries[count], startThere)) ++count;
   }
-  return together;
-}
+
+ private:
+  /// Sets the point to where the first ray comes nearest to another one.
+  bool findPoint(const Ray* rays, int most) {
+    const Ray &a = rays[0], &b = rays[std::min(most, kFewRays) - 1];
+    const Vec3d &u = a.getDirection(), &v = b.getDirection();
+    const Vec3d between = b.getOrigin() - a.getOrigin(), across = cross(u, v);
+    const double size = dot(across, across);
+    point = a.pointAtParameter(dot(cross(between, v), across) / size);
+    largest_ = maxAbs(point);
+    return size > 0 && largest_ <= std::numeric_limits<double>::max();
+  }
+
+  bool add(const Ray& ray, const NearestQuery& query, bool startThere) {
+    const Vec3d& way = ray.getDirection();
+    double start = 0;
+    if (!startThere) {
+      const Vec3d before = ray.getOrigin() - point;
+      start = dot(before, way) / dot(way, way);
+      const double distance = maxAbs(before - way * start);
+      const double size = std::max(largest_, maxAbs(ray.getOrigin()));
+      if (!(distance <= size * kFarthestBeside)) return false;
+      spread = std::max(spread, distance + size * 0x1p-50);  // and its rounding
+    } else if (ray.getOrigin() != point) {
+      return false;
+    }
+    for (int axis = 0; axis < 3; ++axis) direction[axis][count] = way[axis];
+    tmin[count] = query.tmin + start;
+    tmax[count] = query.t + start;
+    return true;
+  }
+
+  /// Rays that pass the point at no more than this part of the largest number are of its beam: a
+  /// mirror's rays pass at a few times 2^-53 of it over the angle between them.
+  static constexpr double kFarthestBeside = 0x1p-36;
+  double largest_ = 0;
+};
 
 /// Shadow rays begin on surfaces, next to as many triangles as lie between their origins. Where
 /// these are more than two a ray, the rays have little in common, and each alone is faster: 1.2
@@ -195,17 +229,17 @@ class ProvenHits {
 std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                             std::uint32_t order, const Ray* rays, int count,
                             NearestQuery* queries) {
-  Beam beam;
+  if (tree.bvh().isEmpty()) return 0;
   RayPacket packet;
-  const bool together = count >= kFewRays && !tree.bvh().isEmpty() &&
-                        beamOfRays(rays, count, queries, beam) &&
-                        preparePacket(tree.bvh(), beam, packet);
-  if (together) kernels.nearestOfPacket(packet);
+  const BeamOfRays beam(rays, count, queries);
+  const int together =
+      beam.count >= kFewRays && preparePacket(tree.bvh(), beam, packet) ? beam.count : 0;
+  if (together > 0) kernels.nearestOfPacket(packet);
   ProvenHits proven(tree, mesh, order);
   std::uint64_t found = 0;
   for (int i = 0; i < count; ++i) {
     bool hit = false;
-    if (!together || (packet.open >> i & 1) != 0) {
+    if (i >= together || (packet.open >> i & 1) != 0) {
       hit = nearestInMesh(kernels, tree, mesh, order, rays[i], queries[i]);
     } else if (packet.doubtCount[i] != 0) {
       hit = PacketAnswer(tree, mesh, packet, i, rays[i]).nearest(order, queries[i]);

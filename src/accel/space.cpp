@@ -131,7 +131,8 @@ bool Space::nearestOf(const Entry& entry, const Ray& ray, NearestQuery& query) c
     case Entry::Kind::plain:
       break;
   }
-  if (query.order == NearestQuery::kNothing) {
+  // What comes later in the scene has to be nearer; `hit` is up to date between two entries.
+  if (query.order == NearestQuery::kNothing || query.order < entry.order) {
     if (!entry.object->intersect(ray, *query.hit, query.tmin)) return false;
     query.found(query.hit->getT(), entry.order, query.hit->getPart());
     return true;

@@ -18,7 +18,7 @@ class Space;
 struct NearestQuery {
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 
-  Hit* hit = nullptr;  ///< what has been recorded; its t may lag behind `t`
+  Hit* hit = nullptr;  ///< what has been recorded; while one mesh is asked its t may lag behind `t`
   double tmin = 0;
   double t;                        ///< the nearest t found, or the upper bound given
   std::uint32_t order = kNothing;  ///< of the object found, in the scene; kNothing: none found

@@ -62,17 +62,22 @@ void askAboutEdges(Random& random, Comparison& comparison, const Object3D& objec
   }
   for (int batch = 0; batch < rays / 64; ++batch) {
     const Vec3d eye = startOf(random, aim(), size);
-    std::vector<Ray> tile;
+    std::vector<Ray> tile, mirrored;
     std::vector<ShadowQuery> shadows;
     for (int i = 0; i < 64; ++i) {
       const Vec3d at = aim();
       tile.push_back(towards(random, eye, at));
+      const Ray& ray = tile.back();
+      const double t =
+          dot(at - eye, ray.getDirection()) / dot(ray.getDirection(), ray.getDirection());
+      mirrored.emplace_back(ray.pointAtParameter(random.uniform(0.3, 0.9) * t), ray.getDirection());
       // The lamp is where the eye is; the surface is before, at or behind the edge.
       const Vec3d from = eye + (at - eye) * (random.index(2) ? 1.5 : 1 + anyFraction(random));
       const Vec3d way = eye - from;
       shadows.push_back({Ray(from, normalize(way)), 0, length(way)});
     }
     comparison.askBatch(tile, 0, kInf);
+    comparison.askBatch(mirrored, 0, kInf);
     comparison.askShadows(shadows);
   }
 }

@@ -57,6 +57,14 @@ void askTile(RandomScene& scene, Comparison& comparison, int count) {
     bounds.emplace_back(random.index(3) ? kInf : random.uniform(0, 4) * scene.size());
   }
   comparison.askBatch(rays, scene.tmin(), bounds);
+  // As a flat mirror sends them on: they start where they pass it, all but one.
+  const double mirrorAt = random.uniform(0.01, 1.5);
+  for (Ray& ray : rays) {
+    const Vec3d& way = ray.getDirection();
+    const double t = mirrorAt * (1 + 0.3 * dot(way, middle) / length(middle)) * length(middle);
+    if (random.index(100)) ray = Ray(ray.pointAtParameter(t), way);
+  }
+  comparison.askBatch(rays, scene.tmin(), bounds);
 }
 
 /// Parallel rays, and rays that have nothing in common.
