@@ -17,6 +17,7 @@ class UsageError : public std::runtime_error {
 /// Limits of the arguments; TGA stores a side of the image in 16 bits.
 inline constexpr int kMaxImageSide = 65535;
 inline constexpr int kMaxThreads = 1024;
+inline constexpr int kMaxMemoryLimit = 100000000;  // MB
 
 struct Options {
   enum class Accel {
@@ -34,7 +35,8 @@ struct Options {
   std::string normalsOutput;
 
   RenderOptions render;
-  int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  int threads = 0;      ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  int memoryLimit = 0;  ///< MB (2^20 bytes) that the run may take, 1..kMaxMemoryLimit; 0 = no limit
   Accel accel = Accel::fast;
   SimdLevel simd = SimdLevel::automatic;  ///< the best that is wanted
 

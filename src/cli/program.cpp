@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <new>
 #include <optional>
+#include <stdexcept>
+#include <system_error>
 
 #include "accel/compiled_scene.h"
 #include "cli/option_table.h"
@@ -12,6 +14,7 @@
 #include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
+#include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -20,13 +23,18 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-/// Returns work(); where memory runs out, throws an error that says what it was needed for.
+class OutOfMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Returns work(); where memory runs out, throws OutOfMemory, which says what it was needed for.
 template <class Work>
 auto withMemory(const std::string& purpose, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("not enough memory " + purpose);
+    throw OutOfMemory("not enough memory " + purpose);
   }
 }
 
@@ -143,12 +151,31 @@ int runHere(const Options& options) {
   return renderScene(options);
 }
 
-}  // namespace
-
-int runProgram(const Options& options) {
+int runOnOwnStack(const Options& options) {
   int status = kDone;
   runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
   return status;
+}
+
+/// Names the limit where it is what ended the run.
+int runWithin(int megabytes, const Options& options) {
+  const std::string limit = "-memory_limit " + std::to_string(megabytes) + ": ";
+  limitMemory(std::size_t(megabytes) << 20);
+  try {
+    return runOnOwnStack(options);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(limit + "not enough memory");
+  } catch (const OutOfMemory& error) {
+    throw std::runtime_error(limit + error.what());
+  } catch (const std::system_error& error) {  // no room for a thread's stack
+    throw std::runtime_error(limit + error.what());
+  }
+}
+
+}  // namespace
+
+int runProgram(const Options& options) {
+  return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
 }
 
 void complain(const std::string& message) {

@@ -49,10 +49,8 @@ bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
   try {
     bytes.clear();
     reason = readToEnd(descriptor, bytes);
-  } catch (const std::bad_alloc&) {
-    reason = "it does not fit in memory";
-  } catch (const std::length_error&) {
-    reason = "it does not fit in memory";
+  } catch (const std::length_error&) {  // more than any memory holds
+    throw std::bad_alloc();
   }
   return reason.empty();
 }
