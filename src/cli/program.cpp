@@ -58,8 +58,13 @@ int checkScene(const Options& options) {
   return print(displayName(options.input) + ": no mistakes found\n");
 }
 
+/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
 int threadCount(const Options& options) {
-  return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  constexpr int kMegabytesEach = 8;
+  const int wanted =
+      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  if (options.memoryLimit == 0) return wanted;
+  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
 }
 
 /// Where the pictures go; with -stats alone there is one that `unwritten` holds.

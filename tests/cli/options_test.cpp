@@ -46,7 +46,8 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
+    if (word == "MIN" || word == "MB" || word == "N" || word == "W" || word == "H" || word == "E")
+      word = "1";
     if (word == "MAX") word = "2";
   }
   return words;
