@@ -3,19 +3,7 @@
 
 #include "check.h"
 #include "run_program.h"
-
-#if defined(__has_feature)
-#define HAS_FEATURE(name) __has_feature(name)
-#else
-#define HAS_FEATURE(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) ||   \
-    HAS_FEATURE(address_sanitizer) || HAS_FEATURE(thread_sanitizer) || \
-    HAS_FEATURE(memory_sanitizer)
-#define SKIP_WITH_SANITIZERS() SKIP("sanitizers take terabytes of addresses for themselves")
-#else
-#define SKIP_WITH_SANITIZERS() (void)0
-#endif
+#include "sanitizers.h"
 
 namespace {
 
@@ -24,6 +12,10 @@ bool startsWith(const std::string& text, const std::string& start) {
 }
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+void skipWithSanitizer() {
+  if (kHasSanitizer) SKIP("a sanitizer takes more addresses than any limit allows");
 }
 
 /// A folder with a scene, and an image that a failed run must leave alone.
@@ -74,7 +66,7 @@ void writeHills(const Desk& desk, int side) {
 }  // namespace
 
 TEST("an image that -memory_limit does not hold ends the run with a message and no litter") {
-  SKIP_WITH_SANITIZERS();
+  skipWithSanitizer();
   const Desk desk;
   // 4000 x 4000 pixels of 3 bytes are 46 MB; the stack of the run takes 8 MB more.
   const auto run = desk.run(40, "-input scene.txt -size 4000 4000 -output out.tga");
@@ -83,7 +75,7 @@ TEST("an image that -memory_limit does not hold ends the run with a message and 
 }
 
 TEST("a scene file that -memory_limit does not hold is no mistake in the scene") {
-  SKIP_WITH_SANITIZERS();
+  skipWithSanitizer();
   const Desk desk;
   desk.write("large.txt", check::smallScene() + std::string(40 << 20, ' '));
   const auto run = desk.run(30, "-input large.txt -output out.tga");
@@ -94,13 +86,13 @@ TEST("a scene file that -memory_limit does not hold is no mistake in the scene")
 }
 
 TEST("a limit too small even for the first stack is said to be so") {
-  SKIP_WITH_SANITIZERS();
+  skipWithSanitizer();
   const Desk desk;
   desk.checkEnded(desk.run(1, "-input scene.txt -output out.tga"), 1, 2);
 }
 
 TEST("whatever phase memory runs out in, there is a message; with enough the bytes are the same") {
-  SKIP_WITH_SANITIZERS();
+  skipWithSanitizer();
   const Desk desk;
   writeHills(desk, 100);
   const std::string arguments = "-input hills.txt -size 200 200 -output ";
@@ -122,7 +114,7 @@ TEST("whatever phase memory runs out in, there is a message; with enough the byt
 }
 
 TEST("threads that -memory_limit has no room for are left out, and the image is the same") {
-  SKIP_WITH_SANITIZERS();
+  skipWithSanitizer();
   const Desk desk;
   const std::string arguments = "-input scene.txt -size 500 500 -output ";
   CHECK_EQUAL(check::runProgram(arguments + "free.tga", desk.path()).status, 0);
