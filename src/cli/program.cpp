@@ -183,7 +183,6 @@ int runProgram(const Options& options) {
   return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
 }
 
-void complain(const std::string& message) {
-  const std::string line = "raytracer: " + message + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
+void complain(std::string_view message) {
+  std::fprintf(stderr, "raytracer: %.*s\n", int(message.size()), message.data());
 }
