@@ -13,6 +13,7 @@
 #include "cli/outputs.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
+#include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
 #include "system/memory_limit.h"
 #include "system/worker_threads.h"
@@ -54,6 +55,10 @@ int checkScene(const Options& options) {
     return SceneParser::check(options.input.c_str());
   });
   for (const InputError& mistake : mistakes) complain(mistake.what());
+  if (mistakes.size() >= MistakeLog::kCapacity) {
+    complain(displayName(options.input) + ": reading ended with mistake number " +
+             std::to_string(mistakes.size()));
+  }
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
 }

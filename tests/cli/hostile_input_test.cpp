@@ -147,6 +147,24 @@ TEST("transforms of 1e308 and 1e-320 that cannot be inverted are mistakes on the
   }
 }
 
+TEST("a path to a mesh of more than 4096 bytes is told the limit") {
+  const Desk desk;
+  desk.write("mesh.txt", kCamera + "Group { numObjects 1 Material { }\nTriangleMesh { obj_file " +
+                             std::string(4097, 'm') + " } }");
+  desk.checkFault(desk.run("-input mesh.txt -output out.tga"), "mesh.txt:3", "4096 bytes");
+}
+
+TEST("-check says where it stops to list mistakes") {
+  const Desk desk;
+  desk.write("many.txt", kCamera + "Group { numObjects 101 Material { }" +
+                             repeated("\nSphere { center 0 0 0 radius -1 }", 101) + " }");
+  const auto run = desk.run("-input many.txt -check");
+  CHECK_EQUAL(run.status, 3);
+  CHECK(contains(run.errors, "many.txt:102: "));  // the 100th: the first one stands on line 3
+  CHECK(!contains(run.errors, "many.txt:103: "));
+  CHECK(contains(run.errors, "\nraytracer: many.txt: reading ended with mistake number 100\n"));
+}
+
 TEST("facing mirrors: 100000 bounces are wrong usage, 10000 are traced to their end") {
   const Desk desk;
   desk.write("mirrors.txt",
