@@ -23,7 +23,8 @@ const Kernels& avx2Kernels() {
                                   avx2::traversePacket<Purpose::nearest>,
                                   avx2::traversePacket<Purpose::any>,
                                   avx2::computeHits,
-                                  avx2::prepareRay};
+                                  avx2::prepareRay,
+                                  avx2::prepareRays};
   return kernels;
 }
 

@@ -23,7 +23,8 @@ const Kernels& avx512Kernels() {
                                   avx512::traversePacket<Purpose::nearest>,
                                   avx512::traversePacket<Purpose::any>,
                                   avx512::computeHits,
-                                  avx512::prepareRay};
+                                  avx512::prepareRay,
+                                  avx512::prepareRays};
   return kernels;
 }
 

@@ -22,7 +22,8 @@ const Kernels& baselineKernels() {
                                   baseline::traversePacket<Purpose::nearest>,
                                   baseline::traversePacket<Purpose::any>,
                                   baseline::computeHits,
-                                  baseline::prepareRay};
+                                  baseline::prepareRay,
+                                  baseline::prepareRays};
   return kernels;
 }
 

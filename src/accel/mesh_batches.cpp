@@ -4,10 +4,10 @@
 #include <cstring>
 #include <limits>
 
-#include "accel/mesh_tree.h"
+#include "accel/lone_rays.h"
+#include "accel/mesh_query.h"
 #include "accel/packet.h"
 #include "accel/prepare_packet.h"
-#include "accel/space.h"
 #include "accel/triangle_hits.h"
 #include "geometry/triangle_test.h"
 
@@ -236,44 +236,50 @@ std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const 
       beam.count >= kFewRays && preparePacket(tree.bvh(), beam, packet) ? beam.count : 0;
   if (together > 0) kernels.nearestOfPacket(packet);
   ProvenHits proven(tree, mesh, order);
+  LoneRays lone;
   std::uint64_t found = 0;
   for (int i = 0; i < count; ++i) {
-    bool hit = false;
     if (i >= together || (packet.open >> i & 1) != 0) {
-      hit = nearestInMesh(kernels, tree, mesh, order, rays[i], queries[i]);
+      lone.add(i, rays[i], queries[i].tmin, queries[i].t);
     } else if (packet.doubtCount[i] != 0) {
-      hit = PacketAnswer(tree, mesh, packet, i, rays[i]).nearest(order, queries[i]);
+      const PacketAnswer answer(tree, mesh, packet, i, rays[i]);
+      found |= std::uint64_t(answer.nearest(order, queries[i])) << i;
     } else if (packet.leafBits[i] != 0) {
       proven.add(packet, i, rays[i]);
     }
-    found |= std::uint64_t(hit) << i;
   }
   found |= proven.finish(kernels, queries);
-  return found;
+  return found |
+         lone.forEach(kernels, tree.bvh(), [&](int i, TraversalRay& r, const TimeMap& time) {
+           return NearestInMesh{{&tree, &mesh, rays + i}, queries + i, order, time}.ask(kernels, r);
+         });
 }
 
 std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                              const ShadowQuery* queries, int count) {
+  if (tree.bvh().isEmpty()) return 0;
   Beam beam;
   RayPacket packet;
-  const bool together = count >= kFewRays && !tree.bvh().isEmpty() &&
-                        areClose(queries, count, tree) && beamOfShadows(queries, count, beam) &&
+  const bool together = count >= kFewRays && areClose(queries, count, tree) &&
+                        beamOfShadows(queries, count, beam) &&
                         preparePacket(tree.bvh(), beam, packet);
   if (together) kernels.anyOfPacket(packet);
   std::uint64_t blocked = together ? packet.blocked : 0;
+  LoneRays lone;
   for (int i = 0; i < count; ++i) {
     if ((blocked >> i & 1) != 0) continue;
     const ShadowQuery& query = queries[i];
-    bool hit;
     if (!together || (packet.open >> i & 1) != 0) {
-      hit = occludedByMesh(kernels, tree, mesh, query.ray, query.tmin, query.tmax);
-    } else {
-      hit = packet.doubtCount[i] != 0 &&
-            PacketAnswer(tree, mesh, packet, i, query.ray).occluded(query.tmin, query.tmax);
+      lone.add(i, query.ray, query.tmin, query.tmax);
+    } else if (packet.doubtCount[i] != 0) {
+      const PacketAnswer answer(tree, mesh, packet, i, query.ray);
+      blocked |= std::uint64_t(answer.occluded(query.tmin, query.tmax)) << i;
     }
-    blocked |= std::uint64_t(hit) << i;
   }
-  return blocked;
+  return blocked | lone.forEach(kernels, tree.bvh(), [&](int i, TraversalRay& r, const TimeMap&) {
+    const ShadowQuery& q = queries[i];
+    return OccludedByMesh{{&tree, &mesh, &q.ray}, q.tmin, q.tmax}.ask(kernels, r);
+  });
 }
 
 }  // namespace accel

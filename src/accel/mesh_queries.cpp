@@ -2,73 +2,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "accel/mesh_tree.h"
-#include "accel/prepare_ray.h"
-#include "accel/space.h"
+#include "accel/mesh_query.h"
 #include "geometry/triangle_test.h"
 
 namespace accel {
 namespace {
 
-/// What the call backs need to know.
-struct MeshQuery {
-  const MeshTree& tree;
-  const TriangleMesh& mesh;
-  const Ray& ray;
-  TimeMap time;
-
-  /// Decides candidate `c`; true where the ray hits it, at `t`.
-  bool decide(const Candidate& c, MeshTree::Triangle& corners, double& t) const {
-    corners = tree.triangleAt(c.words, c.lane);
-    return !ray.leaves(&mesh, corners.face) &&
-           triangle::intersect(corners.a, corners.b, corners.c, ray, t);
-  }
-};
-
 bool noObject(TraversalRay&, std::uint32_t) { return false; }
-
-struct NearestInMesh : MeshQuery {
-  NearestQuery& query;
-  std::uint32_t order;
-  bool found = false;
-  MeshTree::Triangle winner{};
-
-  static bool resolve(TraversalRay& r) {
-    auto& self = *static_cast<NearestInMesh*>(r.context);
-    for (int i = 0; i < r.candidateCount; ++i) {
-      if (r.candidates[i].tLow <= r.tmaxUp) self.consider(r.candidates[i]);
-    }
-    r.candidateCount = 0;
-    if (self.found) r.tmaxUp = std::min(r.tmaxUp, self.time.above(self.query.t));
-    return false;
-  }
-
-  void consider(const Candidate& c) {
-    MeshTree::Triangle corners;
-    double t;
-    if (!decide(c, corners, t) || !(t > query.tmin) || !query.accepts(t, order, corners.face)) {
-      return;
-    }
-    query.found(t, order, corners.face);
-    winner = corners;
-    found = true;
-  }
-};
-
-struct OccludedByMesh : MeshQuery {
-  double tmin, tmax;
-
-  static bool resolve(TraversalRay& r) {
-    const auto& self = *static_cast<const OccludedByMesh*>(r.context);
-    const int count = r.candidateCount;
-    r.candidateCount = 0;
-    return std::any_of(r.candidates, r.candidates + count, [&](const Candidate& c) {
-      MeshTree::Triangle corners;
-      double t;
-      return self.decide(c, corners, t) && t > self.tmin && t < self.tmax;
-    });
-  }
-};
 
 struct CrossingsOfMesh {
   const MeshTree& tree;
@@ -89,36 +29,77 @@ struct CrossingsOfMesh {
 
 }  // namespace
 
+bool MeshQuery::decide(const Candidate& c, MeshTree::Triangle& corners, double& t) const {
+  corners = tree->triangleAt(c.words, c.lane);
+  return !ray->leaves(mesh, corners.face) &&
+         triangle::intersect(corners.a, corners.b, corners.c, *ray, t);
+}
+
+bool NearestInMesh::resolve(TraversalRay& r) {
+  auto& self = *static_cast<NearestInMesh*>(r.context);
+  for (int i = 0; i < r.candidateCount; ++i) {
+    if (r.candidates[i].tLow <= r.tmaxUp) self.consider(r.candidates[i]);
+  }
+  r.candidateCount = 0;
+  if (self.found) r.tmaxUp = std::min(r.tmaxUp, self.time.above(self.query->t));
+  return false;
+}
+
+void NearestInMesh::consider(const Candidate& c) {
+  MeshTree::Triangle corners;
+  double t;
+  if (!decide(c, corners, t) || !(t > query->tmin) || !query->accepts(t, order, corners.face)) {
+    return;
+  }
+  query->found(t, order, corners.face);
+  winner = corners;
+  found = true;
+}
+
+bool NearestInMesh::ask(const Kernels& kernels, TraversalRay& r) {
+  r.resolve = resolve;
+  r.askObject = noObject;
+  r.context = this;
+  kernels.nearest(r);
+  resolve(r);
+  if (!found) return false;
+  mesh->setHit(winner.face, winner.a, winner.b, winner.c, *ray, query->t, *query->hit);
+  return true;
+}
+
+bool OccludedByMesh::ask(const Kernels& kernels, TraversalRay& r) {
+  r.resolve = resolve;
+  r.askObject = noObject;
+  r.context = this;
+  return kernels.any(r);
+}
+
+bool OccludedByMesh::resolve(TraversalRay& r) {
+  const auto& self = *static_cast<const OccludedByMesh*>(r.context);
+  const int count = r.candidateCount;
+  r.candidateCount = 0;
+  return std::any_of(r.candidates, r.candidates + count, [&](const Candidate& c) {
+    MeshTree::Triangle corners;
+    double t;
+    return self.decide(c, corners, t) && t > self.tmin && t < self.tmax;
+  });
+}
+
 bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                    std::uint32_t order, const Ray& ray, NearestQuery& query) {
   TraversalRay r;
-  NearestInMesh self{{tree, mesh, ray, {}}, query, order};
-  if (tree.bvh().isEmpty() ||
-      !prepareRay(kernels, tree.bvh(), ray, query.tmin, query.t, r, self.time)) {
-    return false;
-  }
-  r.resolve = NearestInMesh::resolve;
-  r.askObject = noObject;
-  r.context = &self;
-  kernels.nearest(r);
-  NearestInMesh::resolve(r);
-  if (!self.found) return false;
-  mesh.setHit(self.winner.face, self.winner.a, self.winner.b, self.winner.c, ray, query.t,
-              *query.hit);
-  return true;
+  NearestInMesh self{{&tree, &mesh, &ray}, &query, order, {}};
+  return !tree.bvh().isEmpty() &&
+         prepareRay(kernels, tree.bvh(), ray, query.tmin, query.t, r, self.time) &&
+         self.ask(kernels, r);
 }
 
 bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                     const Ray& ray, double tmin, double tmax) {
   TraversalRay r;
-  OccludedByMesh self{{tree, mesh, ray, {}}, tmin, tmax};
-  if (tree.bvh().isEmpty() || !prepareRay(kernels, tree.bvh(), ray, tmin, tmax, r, self.time)) {
-    return false;
-  }
-  r.resolve = OccludedByMesh::resolve;
-  r.askObject = noObject;
-  r.context = &self;
-  return kernels.any(r);
+  TimeMap time;
+  return !tree.bvh().isEmpty() && prepareRay(kernels, tree.bvh(), ray, tmin, tmax, r, time) &&
+         OccludedByMesh{{&tree, &mesh, &ray}, tmin, tmax}.ask(kernels, r);
 }
 
 void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,

@@ -180,14 +180,17 @@ bool Space::nearest(const Ray& ray, NearestQuery& query) const {
   for (const std::uint32_t id : direct_) {
     if (nearestOf(entries_[id], ray, query)) found = true;
   }
-  return nearestInTree(ray, query) || found;
+  TraversalRay r;
+  TimeMap time;
+  if (bvh_.isEmpty() || !prepareRay(*kernels_, bvh_, ray, query.tmin, query.t, r, time)) {
+    return found;
+  }
+  return nearestInTree(ray, query, r, time) || found;
 }
 
-bool Space::nearestInTree(const Ray& ray, NearestQuery& query) const {
-  TraversalRay r;
-  NearestInSpace self{{*this, ray, {}}, query};
-  if (bvh_.isEmpty() || !prepareRay(*kernels_, bvh_, ray, query.tmin, query.t, r, self.time))
-    return false;
+bool Space::nearestInTree(const Ray& ray, NearestQuery& query, TraversalRay& r,
+                          const TimeMap& time) const {
+  NearestInSpace self{{*this, ray, time}, query};
   attach(r, self);
   kernels_->nearest(r);
   NearestInSpace::resolve(r);
@@ -198,13 +201,14 @@ bool Space::occluded(const Ray& ray, double tmin, double tmax) const {
   for (const std::uint32_t id : direct_) {
     if (occludedBy(entries_[id], ray, tmin, tmax)) return true;
   }
-  return occludedInTree(ray, tmin, tmax);
+  TraversalRay r;
+  TimeMap time;
+  return !bvh_.isEmpty() && prepareRay(*kernels_, bvh_, ray, tmin, tmax, r, time) &&
+         occludedInTree(ray, tmin, tmax, r);
 }
 
-bool Space::occludedInTree(const Ray& ray, double tmin, double tmax) const {
-  TraversalRay r;
+bool Space::occludedInTree(const Ray& ray, double tmin, double tmax, TraversalRay& r) const {
   OccludedInSpace self{{*this, ray, {}}, tmin, tmax};
-  if (bvh_.isEmpty() || !prepareRay(*kernels_, bvh_, ray, tmin, tmax, r, self.time)) return false;
   attach(r, self);
   return kernels_->any(r);
 }

@@ -86,8 +86,10 @@ class Space {
   void visitCrossingsOf(const Entry& entry, const Ray& ray, CrossingVisitor& visitor) const;
 
  private:
-  bool nearestInTree(const Ray& ray, NearestQuery& query) const;
-  bool occludedInTree(const Ray& ray, double tmin, double tmax) const;
+  // With `r`, the ray as prepared for the tree.
+  bool nearestInTree(const Ray& ray, NearestQuery& query, TraversalRay& r,
+                     const TimeMap& time) const;
+  bool occludedInTree(const Ray& ray, double tmin, double tmax, TraversalRay& r) const;
 
   const Kernels* kernels_;  // not owned
   std::vector<Entry> entries_;

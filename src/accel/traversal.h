@@ -18,8 +18,8 @@
 // triangles are all left open (a leaf's E is at least 2^-40, so that no product underflows), and so
 // is everything for a ray that starts more than 2^56 sizes of the tree away.
 //
-// The surface that a ray leaves lies at t = 0 give or take rounding, so it is never proven to be hit
-// beyond tmin: leaving it out can wait for the double function.
+// The surface that a ray leaves lies at t = 0 give or take rounding, so it is never proven to be
+// hit beyond tmin: leaving it out can wait for the double function.
 #pragma once
 #include <cstdint>
 
@@ -82,6 +82,13 @@ enum class Purpose {
   all       ///< every primitive that is not ruled out becomes a candidate
 };
 
+/// Rays to be prepared together. Rows are read up to a multiple of eight.
+struct RayRows {
+  static constexpr int kMost = 64;
+  double origin[3][kMost], direction[3][kMost];
+  double tmin[kMost], tmax[kMost];
+};
+
 /// Both directions of one instruction set; each walks the tree and returns true where a proven
 /// hit or a call back ended it. Candidates may be left over: the caller resolves them.
 struct Kernels {
@@ -98,6 +105,9 @@ struct Kernels {
   /// tree between tmin and tmax.
   bool (*prepareRay)(const WideBvh& bvh, const double* origin, const double* direction, double tmin,
                      double tmax, TraversalRay& prepared, TimeMap& time);
+  /// The same for `count` rays; bit i of the result is the answer for ray i.
+  std::uint64_t (*prepareRays)(const WideBvh& bvh, const RayRows& rows, int count,
+                               TraversalRay* prepared, TimeMap* times);
 };
 
 const Kernels& baselineKernels();

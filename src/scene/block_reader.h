@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "math/vec3.h"
 #include "scene/mistake_log.h"
@@ -13,10 +14,16 @@
 #include "scene/tokenizer.h"
 #include "scene/wording.h"
 
+/// One of several words: `index` becomes its place in the list.
+struct WordChoice {
+  WordList words;
+  std::size_t* index;
+};
+
 /// A named value in a block, and where it goes.
 struct Field {
   std::string_view name;
-  std::variant<double*, float*, Vec3d*, Vec3f*, std::string_view*> target;
+  std::variant<double*, float*, Vec3d*, Vec3f*, std::string_view*, WordChoice> target;
   bool isRequired = true;
   const char* at = nullptr;  ///< where its value stands; null unless a good one was read
 };
@@ -25,6 +32,7 @@ struct Field {
 struct FieldList {
   template <std::size_t length>
   FieldList(Field (&fields)[length]) : first(fields), size(length) {}
+  FieldList(std::vector<Field>& fields) : first(fields.data()), size(fields.size()) {}
   Field* first;
   std::size_t size;
 };
@@ -84,6 +92,7 @@ class BlockReader {
   void reportBadNumber(std::string_view what, const std::string& kind);
   void readField(Field& field);
   bool readName(std::string_view what, std::string_view& name);
+  bool readChoice(std::string_view what, const WordChoice& choice);
   void skipUnknownField(std::string_view owner, FieldList fields);
   std::string found() const;
 

@@ -77,6 +77,20 @@ bool SceneBuilder::checkNotZero(const Vec3d& vector, const Field& field) {
   return false;
 }
 
+/// A colour with components from 0 to 1.
+bool SceneBuilder::checkReflectance(const Vec3f& color, const Field& field) {
+  if (!field.at) return true;
+  Tokenizer words(in_.text().bytes().substr(in_.placeOf(field.at)));
+  for (int axis = 0; axis < 3; ++axis) {
+    const char* const at = words.next().data();
+    if (color[axis] >= 0 && color[axis] <= 1) continue;
+    in_.report(at, "expected " + std::string(field.name) +
+                       " from 0 to 1 in each component, found " + in_.quotedAt(at));
+    return false;
+  }
+  return true;
+}
+
 void SceneBuilder::warn(const char* at, const std::string& message) {
   const SourceText& text = in_.text();
   warnings_.emplace_back(in_.placeOf(at),

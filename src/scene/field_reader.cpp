@@ -1,4 +1,6 @@
 // Numbers and fields of a scene file.
+#include <algorithm>
+
 #include "scene/block_reader.h"
 #include "scene/number_reader.h"
 #include "scene/scene_words.h"
@@ -86,6 +88,7 @@ void BlockReader::readField(Field& field) {
     bool operator()(Vec3d* value) { return in.readVector(name, *value); }
     bool operator()(Vec3f* value) { return in.readVector(name, *value); }
     bool operator()(std::string_view* value) { return in.readName(name, *value); }
+    bool operator()(const WordChoice& choice) { return in.readChoice(name, choice); }
   };
   field.at = std::visit(Reader{*this, field.name}, field.target) ? place : nullptr;
 }
@@ -98,6 +101,19 @@ bool BlockReader::readName(std::string_view what, std::string_view& name) {
   name = word_;
   advance();
   return true;
+}
+
+bool BlockReader::readChoice(std::string_view what, const WordChoice& choice) {
+  const std::string_view* const chosen = std::find(choice.words.begin(), choice.words.end(), word_);
+  if (chosen != choice.words.end()) {
+    *choice.index = std::size_t(chosen - choice.words.begin());
+    advance();
+    return true;
+  }
+  const std::string_view meant = nearestWord(word_, choice.words);
+  report(at(), "expected " + listed(choice.words) + " for " + std::string(what) + ", found " +
+                   found() + (meant.empty() ? "" : "; did you mean " + quoted(meant) + "?"));
+  return false;
 }
 
 void BlockReader::skipUnknownField(std::string_view owner, FieldList fields) {

@@ -1,7 +1,8 @@
 // Materials of a scene file: the list of them, and which one holds for an object.
+#include <iterator>
+
 #include "scene/scene_builder.h"
 #include "scene/scene_words.h"
-#include "shading/phong_material.h"
 
 void SceneBuilder::readMaterials() {
   reportSecond("Materials", hasMaterials_);
@@ -20,19 +21,20 @@ void SceneBuilder::readMaterials() {
 }
 
 std::unique_ptr<Material> SceneBuilder::readMaterial() {
-  const std::string_view owner = in_.word();
-  in_.advance();
-  Vec3f diffuse(1, 1, 1), specular, transparent, reflective;
-  float exponent = 1, index = 1;
-  Field fields[] = {
-      {"diffuseColor", &diffuse, false},       {"specularColor", &specular, false},
-      {"exponent", &exponent, false},          {"transparentColor", &transparent, false},
-      {"reflectiveColor", &reflective, false}, {"indexOfRefraction", &index, false}};
-  in_.readFields(owner, fields);
-  checkAtLeast(0, double(exponent), fields[2]);
-  checkAbove(0, double(index), fields[5]);
-  return std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
-                                         index);
+  struct Kind {
+    std::string_view word;
+    std::unique_ptr<Material> (SceneBuilder::*read)();
+  };
+  static constexpr Kind kKinds[] = {{"PhongMaterial", &SceneBuilder::readPhong},
+                                    {"Material", &SceneBuilder::readPhong},
+                                    {"BlinnPhongMaterial", &SceneBuilder::readBlinnPhong},
+                                    {"CookTorranceMaterial", &SceneBuilder::readCookTorrance},
+                                    {"WardMaterial", &SceneBuilder::readWard},
+                                    {"OrenNayarMaterial", &SceneBuilder::readOrenNayar}};
+  static_assert(std::size(kKinds) == std::size(kMaterialWords), "each word has its reader");
+  const Kind* kind = kKinds;
+  while (kind->word != in_.word()) ++kind;
+  return (this->*kind->read)();
 }
 
 /// A material written inside a Group, as in the course's older scenes.

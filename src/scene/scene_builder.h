@@ -31,6 +31,12 @@ class SceneBuilder {
     WordList allowed;            // what may stand in the block
   };
 
+  /// What materials of every kind have, with the values that hold where none are given.
+  struct MaterialBase {
+    Vec3f diffuseColor{1, 1, 1}, transparentColor, reflectiveColor;
+    float indexOfRefraction = 1;
+  };
+
   // Sections.
   void readSection();
   void readMisplaced();
@@ -43,9 +49,16 @@ class SceneBuilder {
   void reportSecond(std::string_view what, bool& isSeen);
   void finish();
 
-  // Materials.
+  // Materials: readMaterial reads the one whose name is the current word, one of kMaterialWords, by
+  // the reader of its kind, each of which begins with readMaterialFields.
   void readMaterials();
   std::unique_ptr<Material> readMaterial();
+  std::unique_ptr<Material> readPhong();
+  std::unique_ptr<Material> readBlinnPhong();
+  std::unique_ptr<Material> readCookTorrance();
+  std::unique_ptr<Material> readWard();
+  std::unique_ptr<Material> readOrenNayar();
+  std::vector<Field> readMaterialFields(MaterialBase& base, std::vector<Field> fields);
   void readInlineMaterial();
   void readMaterialIndex();
   bool checkMaterial(std::string_view owner, const char* at);
@@ -80,6 +93,7 @@ class SceneBuilder {
   bool checkAbove(double bound, double value, const Field& field);
   bool checkAtLeast(double bound, double value, const Field& field);
   bool checkNotZero(const Vec3d& vector, const Field& field);
+  bool checkReflectance(const Vec3f& color, const Field& field);
   void warn(const char* at, const std::string& message);
   void warnOfMesh(const MeshGeometry& geometry, const char* at);
   void warnOfMoreFlatTriangles();

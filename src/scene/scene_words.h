@@ -5,13 +5,25 @@
 inline constexpr std::string_view kSectionWords[] = {
     "OrthographicCamera", "PerspectiveCamera", "Lights", "Background", "Materials", "Group"};
 inline constexpr std::string_view kLightWords[] = {"DirectionalLight", "PointLight"};
-inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial", "Material"};
+inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial",      "Material",
+                                                      "BlinnPhongMaterial", "CookTorranceMaterial",
+                                                      "WardMaterial",       "OrenNayarMaterial"};
 inline constexpr std::string_view kObjectWords[] = {"Group", "Transform", "Sphere",
                                                     "Plane", "Triangle",  "TriangleMesh"};
 /// What may stand in a Group after its count.
-inline constexpr std::string_view kGroupWords[] = {"Group",         "Transform",     "Sphere",
-                                                   "Plane",         "Triangle",      "TriangleMesh",
-                                                   "MaterialIndex", "PhongMaterial", "Material"};
+inline constexpr std::string_view kGroupWords[] = {"Group",
+                                                   "Transform",
+                                                   "Sphere",
+                                                   "Plane",
+                                                   "Triangle",
+                                                   "TriangleMesh",
+                                                   "MaterialIndex",
+                                                   "PhongMaterial",
+                                                   "Material",
+                                                   "BlinnPhongMaterial",
+                                                   "CookTorranceMaterial",
+                                                   "WardMaterial",
+                                                   "OrenNayarMaterial"};
 /// What may stand in a Transform.
 inline constexpr std::string_view kTransformWords[] = {
     "Translate", "Scale", "UniformScale", "XRotate", "YRotate", "ZRotate",  "Rotate",
@@ -41,7 +53,13 @@ inline constexpr std::string_view kFieldWords[] = {"center",
                                                    "vertex0",
                                                    "vertex1",
                                                    "vertex2",
-                                                   "obj_file"};
+                                                   "obj_file",
+                                                   "roughness",
+                                                   "roughnessX",
+                                                   "roughnessY",
+                                                   "tangent",
+                                                   "distribution",
+                                                   "index"};
 
 /// True when `word` is `name`, or `name` as the course's older scenes write it: num_objects for
 /// numObjects. Names that begin with a capital have only one form.

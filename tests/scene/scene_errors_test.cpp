@@ -22,7 +22,9 @@ const std::string kEverything =
     "Background { color 0 0 0 ambientLight .1 .1 .1 } # comment\n"
     "Lights { numLights 2 DirectionalLight { direction 0 -1 0 color 1 1 1 }\n"
     "PointLight { position 1 2 3 color 1 1 1 attenuation 1 0 0.5 } }\n"
-    "Materials { numMaterials 2 PhongMaterial { exponent 5 } Material { diffuseColor 1 0 0 } }\n"
+    "Materials { numMaterials 4 PhongMaterial { exponent 5 } Material { diffuseColor 1 0 0 }\n"
+    "CookTorranceMaterial { roughness .3 distribution GGX index 1.5 }\n"
+    "WardMaterial { roughnessX .3 tangent 0 0 1 } }\n"
     "Group { numObjects 4 MaterialIndex 1 Sphere { center 0 0 0 radius 1.5 }\n"
     "Transform { Translate { 1 0 0 } Scale 1 2 3 Rotate { 0 1 0 45 } XRotate 5\n"
     "Matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 Group { numObjects 1 Material { } " +

@@ -1,0 +1,46 @@
+// CookTorranceMaterial: a rough surface of tiny mirrors, and diffuse light from below it.
+// As for every material here, white diffuse light is (n.l) L without a division by pi: a BRDF f
+// stands in the colour as pi f (n.l) L.
+#pragma once
+#include "shading/fresnel.h"
+#include "shading/material.h"
+
+class CookTorranceMaterial : public Material {
+ public:
+  /// How steep the mirrors are: Beckmann falls off fast, GGX has a bright middle and long tails.
+  enum class Distribution { ggx, beckmann };
+
+  /// A roughness below this counts as this much: directions to lights are in single precision.
+  static constexpr double kLeastRoughness = 1e-4;
+
+  /// roughness > 0, without unit: of Beckmann the root mean square slope m, of GGX its alpha.
+  CookTorranceMaterial(const Vec3f& diffuseColor, const Fresnel& fresnel, float roughness,
+                       Distribution distribution, const Vec3f& transparentColor,
+                       const Vec3f& reflectiveColor, float indexOfRefraction);
+
+  float getRoughness() const { return roughness_; }
+  Distribution getDistribution() const { return distribution_; }
+  const Fresnel& getFresnel() const { return fresnel_; }
+
+  /// lightColor * pi f (n.l), with u the way back along the ray, h halfway between l and u, and
+  ///   pi f = diffuse (1 - F(n.l)) (1 - F(n.u)) + pi D F(u.h) G / (4 (n.l) (n.u))
+  ///   G = min(1, 2 (n.h) (n.u) / (u.h), 2 (n.h) (n.l) / (u.h))
+  ///   D = exp(-(tan t / m)^2) / (pi m^2 cos^4 t)                 Beckmann, cos t = n.h
+  ///   D = alpha^2 / (pi (alpha^2 cos^2 t + sin^2 t)^2)           GGX
+  /// Diffuse light is what is let in and out again, so that no more comes back than arrived, with
+  /// a white diffuseColor too. Black where n.l <= 0. Seen from behind (n.u <= 0) there is no
+  /// highlight, and |n.u| stands for n.u.
+  /// Sources: Cook and Torrance, "A Reflectance Model for Computer Graphics", 1982; D of GGX and
+  /// the 4: Walter, Marschner, Li and Torrance, "Microfacet Models for Refraction through Rough
+  /// Surfaces", 2007.
+  Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
+              const Vec3f& lightColor) const override;
+
+ private:
+  Vec3d highlight(const Vec3d& n, const Vec3d& l, const Vec3d& toEye) const;
+  double density(double cosineSquared, double sineSquared) const;
+
+  Fresnel fresnel_;
+  float roughness_;
+  Distribution distribution_;
+};

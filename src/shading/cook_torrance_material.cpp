@@ -1,0 +1,64 @@
+// CookTorranceMaterial: the local term of the colour sum, for one light.
+#include "shading/cook_torrance_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/functions.h"
+
+namespace {
+
+/// Light and eye together at least so high, or there is no highlight: at grazing angles it grows as
+/// 1 / (roughness^2 height), up to 1e36 here, which a float can hold.
+constexpr double kLeastHeight = 1e-28;
+
+}  // namespace
+
+CookTorranceMaterial::CookTorranceMaterial(const Vec3f& diffuseColor, const Fresnel& fresnel,
+                                           float roughness, Distribution distribution,
+                                           const Vec3f& transparentColor,
+                                           const Vec3f& reflectiveColor, float indexOfRefraction)
+    : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
+      fresnel_(fresnel),
+      roughness_(roughness),
+      distribution_(distribution) {}
+
+Vec3f CookTorranceMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
+                                  const Vec3f& lightColor) const {
+  const Vec3d& n = hit.getNormal();
+  const Vec3d l = dirToLight, toEye = -ray.getDirection();
+  const double cosine = dot(n, l);
+  if (!(cosine > 0)) return Vec3f();
+  const Vec3d white(1, 1, 1);
+  const Vec3d letIn = white - fresnel_.at(cosine);
+  const Vec3d letOut = white - fresnel_.at(std::fabs(dot(n, toEye)));
+  const Vec3d diffuse = Vec3d(getDiffuseColor()) * letIn * letOut * cosine;
+  return Vec3f(Vec3d(lightColor) * (diffuse + highlight(n, l, toEye)));
+}
+
+/// pi D F G / (4 (n.u)), for n.l > 0.
+Vec3d CookTorranceMaterial::highlight(const Vec3d& n, const Vec3d& l, const Vec3d& toEye) const {
+  const Vec3d halfway = l + toEye;
+  const double squared = dot(halfway, halfway), rise = dot(n, halfway);
+  const double lightCosine = dot(n, l), eyeCosine = dot(n, toEye);
+  if (!(eyeCosine > 0) || !(rise > kLeastHeight)) return Vec3d();
+  const Vec3d sideways = cross(n, halfway);
+  const double size = std::sqrt(squared);
+  // l and u are unit vectors, so u.h is half the length of their sum.
+  const double slant = size / 2, twice = 2 * (rise / size) / slant;
+  const double visible = std::min({1.0, twice * eyeCosine, twice * lightCosine});
+  const double amount = density(rise * rise / squared, dot(sideways, sideways) / squared) *
+                        (visible / (4 * eyeCosine));
+  return fresnel_.at(slant) * amount;
+}
+
+/// pi D by the squared cosine and sine of the angle between n and h: each as exact as the other.
+double CookTorranceMaterial::density(double cosineSquared, double sineSquared) const {
+  const double alpha = std::max(double(roughness_), kLeastRoughness), squared = alpha * alpha;
+  if (distribution_ == Distribution::beckmann) {
+    const double falloff = math::exp(-sineSquared / (cosineSquared * squared));
+    return falloff / (squared * (cosineSquared * cosineSquared));
+  }
+  const double spread = squared * cosineSquared + sineSquared;
+  return squared / (spread * spread);
+}

@@ -1,0 +1,71 @@
+// WardMaterial: the local term of the colour sum, for one light.
+#include "shading/ward_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/functions.h"
+
+namespace {
+
+/// Light and eye together at least so high, or there is no highlight: at grazing angles it grows as
+/// 1 / (roughness^2 height), up to 1e36 here, which a float can hold.
+constexpr double kLeastHeight = 1e-28;
+
+Vec3d farthestAxis(const Vec3d& normal) {
+  int farthest = 0;
+  for (int axis = 1; axis < 3; ++axis) {
+    if (std::fabs(normal[axis]) < std::fabs(normal[farthest])) farthest = axis;
+  }
+  Vec3d unit;
+  unit[farthest] = 1;
+  return unit;
+}
+
+}  // namespace
+
+WardMaterial::WardMaterial(const Vec3f& diffuseColor, const Vec3f& specularColor,
+                           const Grain& grain, const Vec3f& transparentColor,
+                           const Vec3f& reflectiveColor, float indexOfRefraction)
+    : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
+      specularColor_(specularColor),
+      grain_(grain) {
+  grain_.tangent = normalize(grain.tangent);
+}
+
+Vec3d WardMaterial::tangentAt(const Vec3d& normal) const {
+  Vec3d along = grain_.tangent - normal * dot(grain_.tangent, normal);
+  if (dot(along, along) < 1e-12) {
+    const Vec3d axis = farthestAxis(normal);
+    along = axis - normal * dot(axis, normal);
+  }
+  return normalize(along);
+}
+
+Vec3f WardMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
+                          const Vec3f& lightColor) const {
+  const Vec3d& n = hit.getNormal();
+  const Vec3d l = dirToLight, toEye = -ray.getDirection();
+  const double cosine = dot(n, l);
+  if (!(cosine > 0)) return Vec3f();
+  Vec3d reflected = Vec3d(getDiffuseColor()) * cosine;
+  if (dot(n, toEye) > 0 && specularColor_ != Vec3f()) {
+    const double amount = highlight(n, l + toEye) * cosine;
+    reflected += Vec3d(specularColor_) * amount;
+  }
+  return Vec3f(Vec3d(lightColor) * reflected);
+}
+
+/// pi f for a white specularColor, where both the light and the eye are above the surface.
+double WardMaterial::highlight(const Vec3d& n, const Vec3d& halfway) const {
+  const double rise = dot(n, halfway), squared = rise * rise;
+  if (!(rise > kLeastHeight)) return 0;
+  const double roughX = std::max(double(grain_.roughnessX), kLeastRoughness);
+  const double roughY = std::max(double(grain_.roughnessY), kLeastRoughness);
+  const Vec3d x = tangentAt(n), y = cross(n, x);
+  const double slopeX = dot(halfway, x) / (rise * roughX);
+  const double slopeY = dot(halfway, y) / (rise * roughY);
+  const double falloff = math::exp(-(slopeX * slopeX + slopeY * slopeY));
+  // Divided step by step: rise^4 alone would be 0 for the lowest of lights.
+  return falloff * (dot(halfway, halfway) / squared) / squared / (roughX * roughY);
+}
