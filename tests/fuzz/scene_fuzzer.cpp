@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr int kSide = 4;
+constexpr int kWidth = 8, kHeight = 6;
 
 RenderOptions optionsFrom(unsigned choice) {
   RenderOptions options;
@@ -28,7 +28,7 @@ RenderOptions optionsFrom(unsigned choice) {
 
 /// The colour, depth and normal images, one after the other.
 Bytes pictures(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options) {
-  Image color(kSide, kSide), depth(kSide, kSide), normals(kSide, kSide);
+  Image color(kWidth, kHeight), depth(kWidth, kHeight), normals(kWidth, kHeight);
   render(scene, geometry, options, 1, {&color, &depth, &normals, 0, 10});
   Bytes all;
   for (const Image* image : {&color, &depth, &normals}) {
