@@ -1,7 +1,7 @@
 # Builds the fuzz targets and runs each for a while. To be read by a POSIX shell script that has
 # read tests/setup.sh.
 
-fuzz_targets='scene obj tga png options'
+fuzz_targets='scene picture obj tga png options'
 fuzz_build=$build/fuzz
 
 # The first clang that comes with libFuzzer and the sanitizers; nothing where there is none.
@@ -39,13 +39,18 @@ build_fuzzers() {
 # run_fuzzer NAME SECONDS: inputs that lead somewhere new are kept in the build folder, and are
 # where the next run begins. An input may take 5 seconds and 512 MB.
 run_fuzzer() {
-  mkdir -p "$fuzz_build/found/$1" "$fuzz_build/findings"
-  TMPDIR=$fuzz_build "$fuzz_build/fuzz_$1" -max_total_time="$2" -timeout=5 -rss_limit_mb=512 \
-    -max_len=4096 -print_final_stats=1 -dict="$root/tests/fuzz/dictionaries/$1.dict" \
-    -artifact_prefix="$fuzz_build/findings/$1-" "$fuzz_build/found/$1" \
-    "$root/tests/fuzz/corpus/$1" "$root/tests/fuzz/regressions/$1" \
-    >"$fuzz_build/$1.log" 2>&1 </dev/null
-  echo $? >"$fuzz_build/$1.status"
+  name=$1 seconds=$2 inputs=$root/tests/fuzz
+  mkdir -p "$fuzz_build/found/$name" "$fuzz_build/findings"
+  set -- "$fuzz_build/found/$name"
+  for folder in "$inputs/corpus/$name" "$inputs/regressions/$name"; do
+    [ ! -d "$folder" ] || set -- "$@" "$folder"
+  done
+  [ ! -f "$inputs/dictionaries/$name.dict" ] ||
+    set -- -dict="$inputs/dictionaries/$name.dict" "$@"
+  TMPDIR=$fuzz_build ASAN_OPTIONS=quarantine_size_mb=64 "$fuzz_build/fuzz_$name" \
+    -max_total_time="$seconds" -timeout=5 -rss_limit_mb=512 -max_len=4096 -print_final_stats=1 \
+    -artifact_prefix="$fuzz_build/findings/$name-" "$@" >"$fuzz_build/$name.log" 2>&1 </dev/null
+  echo $? >"$fuzz_build/$name.status"
 }
 
 # report_fuzzer NAME SECONDS: fails where there was a finding.

@@ -2,51 +2,13 @@
 // The last byte chooses the options. What follows a line "@@" is a mesh that the scene can call
 // m.obj. Demands: reading and checking agree on whether the scene is good; a mistake has a line of
 // the file; the tree, and every instruction set, give the bytes that the plain objects give.
-#include <optional>
+#include <algorithm>
+#include <memory>
 
-#include "accel/compiled_scene.h"
 #include "fuzz.h"
-#include "image/tga.h"
-#include "render/renderer.h"
-#include "scene/scene_parser.h"
+#include "pictures.h"
 
 namespace {
-
-constexpr int kWidth = 8, kHeight = 6;
-
-RenderOptions optionsFrom(unsigned choice) {
-  RenderOptions options;
-  options.transparentShadows = (choice & 1) != 0;
-  options.shadeBack = (choice & 2) != 0;
-  options.maxBounces = int(choice >> 2 & 3);
-  options.shadows = (choice & 16) == 0;
-  if ((choice & 32) != 0) options.epsilon.kind = Epsilon::Kind::fixed;
-  if ((choice & 64) != 0) options.epsilon.kind = Epsilon::Kind::adaptive;
-  if ((choice & 128) != 0) options.minWeight = 0;
-  return options;
-}
-
-/// The colour, depth and normal images, one after the other.
-Bytes pictures(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options) {
-  Image color(kWidth, kHeight), depth(kWidth, kHeight), normals(kWidth, kHeight);
-  render(scene, geometry, options, 1, {&color, &depth, &normals, 0, 10});
-  Bytes all;
-  for (const Image* image : {&color, &depth, &normals}) {
-    const Bytes bytes = encodeTga(*image);
-    all.insert(all.end(), bytes.begin(), bytes.end());
-  }
-  return all;
-}
-
-void comparePictures(const SceneParser& scene, const RenderOptions& options) {
-  const Bytes plain = pictures(scene, *scene.getGroup(), options);
-  for (const SimdLevel level : {SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
-    if (availableSimd(level) != level) continue;
-    const CompiledScene compiled(*scene.getGroup(), 1, level);
-    fuzz::demand(pictures(scene, compiled, options) == plain,
-                 std::string("the picture by ") + nameOf(level) + " is that of the plain objects");
-  }
-}
 
 void checkMistake(const InputError& mistake, std::size_t lines) {
   fuzz::demand(fuzz::isPlainLine(mistake.what()), "a mistake is one line that prints");
@@ -91,8 +53,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const std::string& warning : scene->getWarnings()) {
     fuzz::demand(fuzz::isPlainLine(warning), "a warning is one line that prints");
   }
-  const RenderOptions options = optionsFrom(data[size - 1]);
-  if (options.transparentShadows) scene->findClosedMeshes();
-  comparePictures(*scene, options);
+  fuzz::comparePictures(*scene, fuzz::optionsFrom(data[size - 1]));
   return 0;
 }
