@@ -159,8 +159,10 @@ void Space::finish(int threads) {
     const Entry& entry = entries_[id];
     if (isNothing(entry)) continue;
     const BoundingBox box = accel::isBounded(entry) ? boxOf(entry) : BoundingBox();
-    if (!accel::isBounded(entry)) bounded_ = false;
-    if (box.isEmpty() || !isMeasurable(entry, box)) {
+    const bool isInBox = box.isEmpty() || isMeasurable(entry, box);
+    // A Transform of this space then has no box either.
+    if (!accel::isBounded(entry) || !isInBox) bounded_ = false;
+    if (box.isEmpty() || !isInBox) {
       direct_.push_back(id);
       continue;
     }

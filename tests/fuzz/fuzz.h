@@ -20,6 +20,7 @@ namespace fuzz {
 /// Ends the process, saying `claim`, where it does not hold.
 inline void demand(bool holds, const std::string& claim) {
   if (holds) return;
+  std::fflush(stdout);
   std::fprintf(stderr, "not so: %s\n", claim.c_str());
   std::abort();
 }
