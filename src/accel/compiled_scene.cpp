@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "accel/direction_range.h"
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
@@ -14,6 +15,7 @@
 
 namespace {
 
+using accel::DirectionRange;
 using accel::Entry;
 using accel::Kernels;
 using accel::MeshTree;
@@ -39,11 +41,12 @@ struct CompiledScene::Content {
   Content(SimdLevel level, int threadCount)
       : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {}
 
-  /// Adds `object` and all below it to `space`. The depth of recursion is the scene's nesting.
-  void add(Space& space, const Object3D* object) {
+  /// Adds `object` and all below it to `space`, where rays have directions of `range`. The depth of
+  /// recursion is the scene's nesting.
+  void add(Space& space, const Object3D* object, const DirectionRange& range) {
     if (const auto* group = accel::exactly<Group>(object)) {
       for (const Object3D* member : group->getObjects()) {
-        if (member) add(space, member);
+        if (member) add(space, member, range);
       }
       return;
     }
@@ -53,7 +56,7 @@ struct CompiledScene::Content {
     if (const auto* mesh = accel::exactly<TriangleMesh>(object)) {
       addMesh(entry, *mesh, Entry::Kind::mesh);
     } else if (const auto* transform = accel::exactly<Transform>(object)) {
-      addTransform(entry, *transform);
+      addTransform(entry, *transform, range.inside(*transform));
     }
     space.add(entry);
   }
@@ -64,14 +67,18 @@ struct CompiledScene::Content {
     entry.mesh = &treeOf(mesh.getGeometry());
   }
 
-  void addTransform(Entry& entry, const Transform& transform) {
+  /// Where the Transform takes directions out of `range`, it stays plain.
+  void addTransform(Entry& entry, const Transform& transform, const DirectionRange& range) {
     const Object3D* inside = transform.getObject();
     if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
       addMesh(entry, *mesh, Entry::Kind::movedMesh);
+      const bool isTree = entry.kind == Entry::Kind::movedMesh;
+      if (isTree && !range.fits(entry.mesh->bvh().scale)) entry.kind = Entry::Kind::plain;
     } else if (accel::exactly<Group>(inside) || accel::exactly<Transform>(inside)) {
       Space& space = spaces.emplace_back(kernels);
-      add(space, inside);
+      add(space, inside, range);
       space.finish(threads);
+      if (!range.fits(space.bvh().scale)) return;
       entry.kind = Entry::Kind::movedSpace;
       entry.space = &space;
     }
@@ -114,7 +121,7 @@ const char* nameOf(SimdLevel level) {
 
 CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) : root_(&root) {
   auto content = std::make_unique<Content>(availableSimd(simd), threads);
-  content->add(content->root, &root);
+  content->add(content->root, &root, {});
   content->root.finish(threads);
   content_ = std::move(content);
 }
