@@ -17,9 +17,13 @@ struct DirectionRange {
             most * (3 * largestOf(transform.getInverse()))};
   }
 
-  /// True where such directions, in a tree that scales its space by `scale`, keep so far from what
-  /// double holds that kernels can prepare rays from them.
-  bool fits(double scale) const { return least * scale >= 0x1p-900 && most * scale <= 0x1p900; }
+  /// True where double holds the squares of such directions, without which the double functions of
+  /// triangles and spheres give arbitrary answers; and, in a tree that scales its space by `scale`,
+  /// what kernels prepare rays from.
+  bool fits(double scale) const {
+    return least >= 0x1p-450 && most <= 0x1p450 && least * scale >= 0x1p-900 &&
+           most * scale <= 0x1p900;
+  }
 
  private:
   static double largestOf(const Matrix& matrix) {
