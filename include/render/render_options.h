@@ -1,5 +1,6 @@
 // RenderOptions: everything that a picture depends on besides the scene.
 #pragma once
+#include "render/sampling_options.h"
 
 /// How far along its unit direction a secondary or shadow ray starts looking.
 struct Epsilon {
@@ -23,5 +24,8 @@ struct RenderOptions {
   bool shadows = true;              ///< cast shadow rays
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
+  bool nestedDielectrics = false;   ///< indices follow from what a ray is inside of, by priority
+  bool fresnel = false;             ///< reflection follows from index and angle
   Epsilon epsilon;
+  SamplingOptions sampling;
 };

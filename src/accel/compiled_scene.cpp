@@ -6,19 +6,19 @@
 #include <map>
 #include <sstream>
 
-#include "accel/direction_range.h"
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
+#include "accel/ray_range.h"
 #include "accel/space.h"
 #include "geometry/group.h"
 
 namespace {
 
-using accel::DirectionRange;
 using accel::Entry;
 using accel::Kernels;
 using accel::MeshTree;
+using accel::RayRange;
 using accel::Space;
 
 /// A mesh of fewer triangles is asked triangle by triangle.
@@ -41,9 +41,9 @@ struct CompiledScene::Content {
   Content(SimdLevel level, int threadCount)
       : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {}
 
-  /// Adds `object` and all below it to `space`, where rays have directions of `range`. The depth of
+  /// Adds `object` and all below it to `space`, where rays are within `range`. The depth of
   /// recursion is the scene's nesting.
-  void add(Space& space, const Object3D* object, const DirectionRange& range) {
+  void add(Space& space, const Object3D* object, const RayRange& range) {
     if (const auto* group = accel::exactly<Group>(object)) {
       for (const Object3D* member : group->getObjects()) {
         if (member) add(space, member, range);
@@ -67,8 +67,8 @@ struct CompiledScene::Content {
     entry.mesh = &treeOf(mesh.getGeometry());
   }
 
-  /// Where the Transform takes directions out of `range`, it stays plain.
-  void addTransform(Entry& entry, const Transform& transform, const DirectionRange& range) {
+  /// Where the Transform takes rays out of `range`, it stays plain.
+  void addTransform(Entry& entry, const Transform& transform, const RayRange& range) {
     const Object3D* inside = transform.getObject();
     if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
       addMesh(entry, *mesh, Entry::Kind::movedMesh);
@@ -129,11 +129,13 @@ CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) 
 CompiledScene::~CompiledScene() = default;
 
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  if (!RayRange::holds(ray)) return root_->intersect(ray, hit, tmin);
   accel::NearestQuery query{&hit, tmin, hit.getT()};
   return content_->root.nearest(ray, query);
 }
 
 bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
+  if (!RayRange::holds(ray)) return root_->occluded(ray, tmin, tmax);
   return content_->root.occluded(ray, tmin, tmax);
 }
 
@@ -143,10 +145,16 @@ void CompiledScene::intersectBatch(const Ray* rays, const double* tmins, int cou
   for (int first = 0; first < count; first += kMost) {
     accel::NearestQuery queries[kMost];
     const int some = std::min(kMost, count - first);
+    bool allHeld = true;
     for (int i = 0; i < some; ++i) {
       queries[i] = {hits + first + i, tmins[first + i], hits[first + i].getT()};
+      allHeld &= RayRange::holds(rays[first + i]);
     }
-    content_->root.nearest(rays + first, some, queries);
+    if (allHeld) {
+      content_->root.nearest(rays + first, some, queries);
+      continue;
+    }
+    for (int i = first; i < first + some; ++i) intersect(rays[i], hits[i], tmins[i]);
   }
 }
 
@@ -154,12 +162,22 @@ void CompiledScene::occludedBatch(const ShadowQuery* queries, int count, bool* b
   constexpr int kMost = accel::RayPacket::kMostRays;
   for (int first = 0; first < count; first += kMost) {
     const int some = std::min(kMost, count - first);
-    const std::uint64_t bits = content_->root.occluded(queries + first, some);
-    for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
+    const bool allHeld =
+        std::all_of(queries + first, queries + first + some,
+                    [](const ShadowQuery& query) { return RayRange::holds(query.ray); });
+    if (allHeld) {
+      const std::uint64_t bits = content_->root.occluded(queries + first, some);
+      for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
+      continue;
+    }
+    for (int i = first; i < first + some; ++i) {
+      blocked[i] = occluded(queries[i].ray, queries[i].tmin, queries[i].tmax);
+    }
   }
 }
 
 void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  if (!RayRange::holds(ray)) return root_->visitCrossings(ray, visitor);
   content_->root.visitCrossings(ray, visitor);
 }
 

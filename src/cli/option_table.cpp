@@ -2,6 +2,7 @@
 #include "cli/option_table.h"
 
 #include "cli/option_values.h"
+#include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
 namespace {
@@ -86,6 +87,13 @@ std::vector<OptionRow> lightRows() {
        [](Given, Options& o) { o.render.transparentShadows = true; }},
       {group, "shade_back", nullptr, "", nullptr, "light both sides of every surface",
        [](Given, Options& o) { o.render.shadeBack = true; }},
+      {group, "nested_dielectrics", nullptr, "", nullptr,
+       "the index of refraction on either side follows from what a ray has entered and not left; "
+       "where objects overlap, the larger priority of their materials holds",
+       [](Given, Options& o) { o.render.nestedDielectrics = true; }},
+      {group, "fresnel", nullptr, "", nullptr,
+       "how much is reflected follows from index and angle; glass dims with the length inside",
+       [](Given, Options& o) { o.render.fresnel = true; }},
       {group, "epsilon", nullptr, "E", nullptr,
        "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
        "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
@@ -126,7 +134,7 @@ std::vector<OptionRow> runningRows() {
 
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
-  for (const auto& rows : {fileRows(), lightRows(), runningRows()})
+  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), runningRows()})
     table.insert(table.end(), rows.begin(), rows.end());
   return table;
 }

@@ -11,6 +11,7 @@
 #include "accel/compiled_scene.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/sampling_arguments.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/mistake_log.h"
@@ -72,17 +73,27 @@ int threadCount(const Options& options) {
   return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
 }
 
-/// Where the pictures go; with -stats alone there is one that `unwritten` holds.
+bool needsClosedMeshes(const RenderOptions& render) {
+  return render.transparentShadows || render.nestedDielectrics || render.fresnel;
+}
+
+bool wantsRays(const RenderTargets& targets) {
+  return targets.color || targets.depth || targets.normals || targets.samples;
+}
+
+/// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
     if (output.kind == Output::Kind::color) targets.color = &output.image;
     if (output.kind == Output::Kind::depth) targets.depth = &output.image;
     if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::samples) targets.samples = &output.image;
   }
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
-  if (outputs.empty()) {
+  targets.samplesZoom = options.samplesZoom;
+  if (!wantsRays(targets) && options.stats) {
     unwritten = Image(options.width, options.height);
     targets.color = &unwritten;
   }
@@ -119,6 +130,8 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (options.quiet) return;
   for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
   warnOfSimd(options);
+  const std::string rounding = roundingWarning(options);
+  if (!rounding.empty()) complain("warning: " + rounding);
 }
 
 int renderScene(const Options& options) {
@@ -128,7 +141,7 @@ int renderScene(const Options& options) {
                                  [&] { return SceneParser(options.input.c_str()); });
   checkFiles(options, scene.getMeshFiles());
   printWarnings(scene, options);
-  if (options.render.transparentShadows) {
+  if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
   stats.readSeconds = watch.restart();
@@ -141,10 +154,12 @@ int renderScene(const Options& options) {
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
   const RenderTargets targets = withMemory("for images of " + size, [&] {
-    makeImages(outputs, options.width, options.height);
+    makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
-  withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  if (wantsRays(targets)) {
+    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  }
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
