@@ -36,8 +36,9 @@ build_fuzzers() {
     }
 }
 
-# run_fuzzer NAME SECONDS: inputs that lead somewhere new are kept in the build folder, and are
-# where the next run begins. An input may take 5 seconds and 512 MB.
+# run_fuzzer NAME SECONDS: the dictionary is what is kept here and the program's own words. Inputs
+# that lead somewhere new are kept in the build folder, and are where the next run begins. An input
+# may take 5 seconds and 512 MB.
 run_fuzzer() {
   name=$1 seconds=$2 inputs=$root/tests/fuzz
   mkdir -p "$fuzz_build/found/$name" "$fuzz_build/findings"
@@ -45,8 +46,11 @@ run_fuzzer() {
   for folder in "$inputs/corpus/$name" "$inputs/regressions/$name"; do
     [ ! -d "$folder" ] || set -- "$@" "$folder"
   done
-  [ ! -f "$inputs/dictionaries/$name.dict" ] ||
-    set -- -dict="$inputs/dictionaries/$name.dict" "$@"
+  {
+    [ ! -f "$inputs/dictionaries/$name.dict" ] || cat "$inputs/dictionaries/$name.dict"
+    "$fuzz_build/fuzz_words" "$name"
+  } >"$fuzz_build/$name.dict"
+  [ ! -s "$fuzz_build/$name.dict" ] || set -- -dict="$fuzz_build/$name.dict" "$@"
   TMPDIR=$fuzz_build ASAN_OPTIONS=quarantine_size_mb=64 "$fuzz_build/fuzz_$name" \
     -max_total_time="$seconds" -timeout=5 -rss_limit_mb=512 -max_len=4096 -print_final_stats=1 \
     -artifact_prefix="$fuzz_build/findings/$name-" "$@" >"$fuzz_build/$name.log" 2>&1 </dev/null

@@ -12,7 +12,7 @@ namespace fuzz {
 
 inline constexpr int kWidth = 8, kHeight = 6;
 
-/// Options from the bits of one byte, or of a larger number.
+/// Options from the bits of one byte; the rarer ones go with combinations of others.
 inline RenderOptions optionsFrom(unsigned choice) {
   RenderOptions options;
   options.transparentShadows = (choice & 1) != 0;
@@ -22,6 +22,8 @@ inline RenderOptions optionsFrom(unsigned choice) {
   if ((choice & 32) != 0) options.epsilon.kind = Epsilon::Kind::fixed;
   if ((choice & 64) != 0) options.epsilon.kind = Epsilon::Kind::adaptive;
   if ((choice & 128) != 0) options.minWeight = 0;
+  options.fresnel = (choice & 129) == 129;
+  options.nestedDielectrics = (choice & 130) == 130;
   return options;
 }
 
