@@ -16,7 +16,12 @@ struct RayRange {
   double farthest = kFarthest;  ///< the largest coordinate of an origin
   double least = 1, most = 1;   ///< of a direction's length: in the world all are unit vectors
 
-  static bool holds(const Ray& ray) { return maxAbs(ray.getOrigin()) <= kFarthest; }
+  /// Not by maxAbs, to which a coordinate that is no number is nothing.
+  static bool holds(const Ray& ray) {
+    const Vec3d& origin = ray.getOrigin();
+    return (std::fabs(origin.x()) <= kFarthest) & (std::fabs(origin.y()) <= kFarthest) &
+           (std::fabs(origin.z()) <= kFarthest);
+  }
 
   /// Inside `transform`, which stands where this range holds. A linear map makes no vector longer
   /// than three times its largest element times that vector.
