@@ -58,7 +58,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    const std::string numbers = " MIN N W H E NX NY NZ P R SIGMA TOLERANCE X Y ZOOM ";
+    const std::string numbers = " MB MIN N W H E NX NY NZ P R SIGMA TOLERANCE X Y ZOOM ";
     if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "MAX") word = "2";
   }
