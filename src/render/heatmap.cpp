@@ -5,6 +5,7 @@
 #include <atomic>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 #include "render/number_text.h"

@@ -1,6 +1,8 @@
 // The lines of a ray tree.
 #include "render/ray_report.h"
 
+#include <algorithm>
+
 #include "render/blocker.h"
 #include "render/number_text.h"
 

@@ -1,6 +1,7 @@
 // How many rays each pixel takes.
 #include "render/heatmap.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "accel/compiled_scene.h"
