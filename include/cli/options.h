@@ -32,6 +32,10 @@ struct Options {
   double depthMin = 0;      ///< distance that is drawn white
   double depthMax = 0;      ///< distance that is drawn black; never equal to depthMin
   std::string normalsOutput;
+  std::string samplesOutput;  ///< picture of the samples, samplesZoom times as large
+  int samplesZoom = 1;        ///< samplesZoom * width and * height are at most kMaxImageSide
+  std::string filterOutput;   ///< picture of the filter's weights, filterZoom times as large
+  int filterZoom = 1;         ///< likewise, with 1 pixel more each way
 
   RenderOptions render;
   int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core

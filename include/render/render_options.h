@@ -1,5 +1,6 @@
 // RenderOptions: everything that a picture depends on besides the scene.
 #pragma once
+#include "render/sampling_options.h"
 
 /// How far along its unit direction a secondary or shadow ray starts looking.
 struct Epsilon {
@@ -24,4 +25,5 @@ struct RenderOptions {
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
   Epsilon epsilon;
+  SamplingOptions sampling;
 };

@@ -1,22 +1,28 @@
-// The renderer: casts one ray through the centre of every pixel, in tiles, on several threads.
+// The renderer: casts rays through every pixel, in tiles, on several threads. One ray through the
+// centre, unless RenderOptions::sampling says otherwise.
 #pragma once
 #include "geometry/object3d.h"
 #include "image/image.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
 
-/// The pictures wanted; null where one is not. All that are given have the same size. Not owned.
+/// The pictures wanted; null where one is not. All that are given have the same size, but
+/// `samples` is samplesZoom times as wide and high. Not owned.
 struct RenderTargets {
   Image* color = nullptr;
   Image* depth = nullptr;
   Image* normals = nullptr;
+  Image* samples = nullptr;  ///< where the samples lie, and their colours
+  int samplesZoom = 1;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
 };
 
 /// Fills the targets with the scene as its camera sees it, `geometry` (the scene's group, or a
 /// compiled form of it) answering for its objects. `threads` >= 1 never changes a byte. At least
-/// one target must be given; each pixel's ray is cast once however many there are.
+/// one target must be given; a pixel's central ray is cast once however many there are. Depth and
+/// normals are those of the central ray even where the colour comes from samples, whose rays are
+/// then cast besides it, once for colour and samples together.
 /// Throws what a worker thread throws (std::bad_alloc, std::system_error).
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
             int threads, const RenderTargets& targets);

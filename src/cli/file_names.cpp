@@ -36,7 +36,9 @@ void checkFiles(const Options& options, const std::vector<std::string>& meshFile
   const Named input = {"-input", options.input};
   const Named outputs[] = {{"-output", options.output},
                            {"-depth", options.depthOutput},
-                           {"-normals", options.normalsOutput}};
+                           {"-normals", options.normalsOutput},
+                           {"-render_samples", options.samplesOutput},
+                           {"-render_filter", options.filterOutput}};
   const auto isSame = [](const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() && a != "-" && sameFile(a, b);
   };

@@ -2,6 +2,7 @@
 #include "cli/option_table.h"
 
 #include "cli/option_values.h"
+#include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
 namespace {
@@ -120,7 +121,7 @@ std::vector<OptionRow> runningRows() {
 
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
-  for (const auto& rows : {fileRows(), lightRows(), runningRows()})
+  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), runningRows()})
     table.insert(table.end(), rows.begin(), rows.end());
   return table;
 }

@@ -64,6 +64,14 @@ double positiveNumber(const GivenOption& given, const char* alternatives) {
   return value;
 }
 
+double numberInRange(const GivenOption& given, std::size_t index, double least, double most,
+                     const std::string& expected) {
+  double value = 0;
+  const std::string& word = given.words[index];
+  if (!readDouble(word, value) || value < least || value > most) fail(given, expected, word);
+  return value;
+}
+
 float positiveFloat(const GivenOption& given) {
   float value = 0;
   if (!readFloat(given.words[0], value) || value < 0)

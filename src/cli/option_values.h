@@ -19,6 +19,10 @@ double positiveNumber(const GivenOption& given, const char* alternatives);
 /// As positiveNumber, rounded once to float; beyond the range of float is a mistake.
 float positiveFloat(const GivenOption& given);
 
+/// A number from `least` to `most` in word `index`; `expected` says so in the message.
+double numberInRange(const GivenOption& given, std::size_t index, double least, double most,
+                     const std::string& expected);
+
 /// A file name in the first word: anything but "" and, where it is an output, "-".
 std::string inputName(const GivenOption& given);
 std::string outputName(const GivenOption& given);

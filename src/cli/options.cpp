@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cli/option_table.h"
+#include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
 namespace {
@@ -47,11 +48,12 @@ void checkComplete(const Options& options) {
   if (options.help || options.version || options.shortHelp) return;
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
-                         !options.normalsOutput.empty() || options.stats || options.check;
+                         !options.normalsOutput.empty() || !options.samplesOutput.empty() ||
+                         !options.filterOutput.empty() || options.stats || options.check;
   if (!anyOutput)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
-        "-stats and -check");
+        "-render_samples, -render_filter, -stats and -check");
 }
 
 }  // namespace
@@ -68,5 +70,6 @@ Options parseOptions(const std::vector<std::string>& words) {
     at += 1 + following.size();
   }
   checkComplete(options);
+  checkEnlargedSizes(options);
   return options;
 }

@@ -7,6 +7,7 @@
 #include "cli/program.h"
 #include "image/output_file.h"
 #include "image/tga.h"
+#include "render/filter_picture.h"
 
 namespace {
 
@@ -34,6 +35,8 @@ std::vector<Output> wantedOutputs(const Options& options) {
   add(Output::Kind::color, options.output);
   add(Output::Kind::depth, options.depthOutput);
   add(Output::Kind::normals, options.normalsOutput);
+  add(Output::Kind::samples, options.samplesOutput);
+  add(Output::Kind::filter, options.filterOutput);
   return outputs;
 }
 
@@ -44,8 +47,16 @@ void dropUnwritable(std::vector<Output>& outputs) {
   outputs = std::move(writable);
 }
 
-void makeImages(std::vector<Output>& outputs, int width, int height) {
-  for (Output& output : outputs) output.image = Image(width, height);
+void makeImages(std::vector<Output>& outputs, const Options& options) {
+  for (Output& output : outputs) {
+    if (output.kind == Output::Kind::filter) {
+      const auto filter = makeFilter(options.render.sampling);
+      output.image = drawFilter(*filter, options.width, options.height, options.filterZoom);
+    } else {
+      const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
+      output.image = Image(options.width * zoom, options.height * zoom);
+    }
+  }
 }
 
 std::size_t writeAll(const std::vector<Output>& outputs) {

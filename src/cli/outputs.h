@@ -7,7 +7,7 @@
 #include "image/image.h"
 
 struct Output {
-  enum class Kind { color, depth, normals };
+  enum class Kind { color, depth, normals, samples, filter };
   Kind kind;
   std::string file;
   Image image;  ///< empty until makeImages
@@ -19,8 +19,9 @@ std::vector<Output> wantedOutputs(const Options& options);
 /// Takes out of `outputs` those that cannot be written, complaining of each.
 void dropUnwritable(std::vector<Output>& outputs);
 
-/// Gives every output a black image. Throws std::bad_alloc where memory is short.
-void makeImages(std::vector<Output>& outputs, int width, int height);
+/// Gives every output a black image of its size, and draws that of the filter. Throws
+/// std::bad_alloc where memory is short.
+void makeImages(std::vector<Output>& outputs, const Options& options);
 
 /// Writes every output, complaining of each that fails, and returns how many were written.
 std::size_t writeAll(const std::vector<Output>& outputs);

@@ -9,6 +9,7 @@
 #include "accel/compiled_scene.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/sampling_arguments.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
@@ -54,17 +55,23 @@ int threadCount(const Options& options) {
   return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
 }
 
-/// Where the pictures go; with -stats alone there is one that `unwritten` holds.
+bool wantsRays(const RenderTargets& targets) {
+  return targets.color || targets.depth || targets.normals || targets.samples;
+}
+
+/// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
     if (output.kind == Output::Kind::color) targets.color = &output.image;
     if (output.kind == Output::Kind::depth) targets.depth = &output.image;
     if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::samples) targets.samples = &output.image;
   }
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
-  if (outputs.empty()) {
+  targets.samplesZoom = options.samplesZoom;
+  if (!wantsRays(targets) && options.stats) {
     unwritten = Image(options.width, options.height);
     targets.color = &unwritten;
   }
@@ -101,6 +108,8 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (options.quiet) return;
   for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
   warnOfSimd(options);
+  const std::string rounding = roundingWarning(options);
+  if (!rounding.empty()) complain("warning: " + rounding);
 }
 
 int renderScene(const Options& options) {
@@ -123,10 +132,12 @@ int renderScene(const Options& options) {
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
   const RenderTargets targets = withMemory("for images of " + size, [&] {
-    makeImages(outputs, options.width, options.height);
+    makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
-  withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  if (wantsRays(targets)) {
+    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  }
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();

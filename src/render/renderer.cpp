@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cmath>
 
+#include "render/image_plane.h"
 #include "render/ray_tracer.h"
+#include "render/sampled_renderer.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -16,13 +18,16 @@ static_assert(kTilePixels <= Object3D::kBatchSize, "a tile is one batch");
 /// bounce, 3 kB with sanitizers).
 constexpr std::size_t kBaseStack = 2 << 20, kStackPerBounce = 4096;
 
-const Image& anyOf(const RenderTargets& targets) {
-  return targets.color ? *targets.color : targets.depth ? *targets.depth : *targets.normals;
+const Image* anyOf(const RenderTargets& targets) {
+  return targets.color ? targets.color : targets.depth ? targets.depth : targets.normals;
 }
 
-struct Pixel {
-  int i, j;
-};
+/// The size of the pictures in pixels.
+Vec2<int> sizeOf(const RenderTargets& targets) {
+  if (const Image* image = anyOf(targets)) return {image->Width(), image->Height()};
+  const int zoom = targets.samplesZoom;
+  return {targets.samples->Width() / zoom, targets.samples->Height() / zoom};
+}
 
 class TileRenderer {
  public:
@@ -30,8 +35,8 @@ class TileRenderer {
       : camera_(*scene.getCamera()),
         tracer_(tracer),
         targets_(targets),
-        width_(anyOf(targets).Width()),
-        height_(anyOf(targets).Height()) {}
+        width_(sizeOf(targets).x()),
+        height_(sizeOf(targets).y()) {}
 
   int tileCount() const { return columns() * rows(); }
 
@@ -44,8 +49,9 @@ class TileRenderer {
       const Pixel pixel = {left + evenBits(place), bottom + evenBits(place >> 1)};
       if (pixel.i >= width_ || pixel.j >= height_) continue;
       pixels[count] = pixel;
-      rays[count++] = {camera_.generateRay(imagePoint(pixel.i, pixel.j)), camera_.getTMin(), 1, 1,
-                       Vec3f(1, 1, 1)};
+      rays[count++] = {
+          camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_)),
+          camera_.getTMin(), 1, 1, Vec3f(1, 1, 1)};
     }
     Hit hits[kTilePixels];
     if (targets_.color) {
@@ -59,18 +65,6 @@ class TileRenderer {
  private:
   int columns() const { return (width_ + kTileSize - 1) / kTileSize; }
   int rows() const { return (height_ + kTileSize - 1) / kTileSize; }
-
-  /// The centre of pixel (i, j) on the image plane.
-  Vec2d imagePoint(int i, int j) const {
-    const double longer = std::max(width_, height_);
-    return {(i + 0.5 - width_ / 2.0) / longer, (j + 0.5 - height_ / 2.0) / longer};
-  }
-
-  /// Every other bit of a place in the tile, from the lowest on. Pixels are taken in this order
-  /// (Morton's), so that any 2^n rays in a row lie in a block.
-  static int evenBits(int place) {
-    return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
-  }
 
   void setColors(const RayTracer::TracedRay* rays, Hit* hits, const Pixel* pixels,
                  int count) const {
@@ -104,15 +98,29 @@ class TileRenderer {
   const int width_, height_;
 };
 
-}  // namespace
-
-void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets) {
-  const RayTracer tracer(scene, geometry, options);
-  const TileRenderer renderer(scene, tracer, targets);
+/// Renders all tiles of a renderer on so many threads.
+template <class Renderer>
+void renderTiles(const Renderer& renderer, const RenderOptions& options, int threads) {
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
   runOnThreads(std::min(threads, renderer.tileCount()), stack, [&](int) {
     for (int tile; (tile = next++) < renderer.tileCount();) renderer.renderTile(tile);
   });
+}
+
+}  // namespace
+
+void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
+            int threads, const RenderTargets& targets) {
+  const RayTracer tracer(scene, geometry, options);
+  RenderTargets central = targets;
+  if (targets.samples || (targets.color && !options.sampling.isPlain())) {
+    const Vec2<int> size = sizeOf(targets);
+    const SampledScene sampled = {*scene.getCamera(), tracer, size.x(), size.y()};
+    const SampledRenderer renderer(sampled, options.sampling, targets, threads);
+    renderTiles(renderer, options, threads);
+    central.color = central.samples = nullptr;
+    if (!anyOf(central)) return;
+  }
+  renderTiles(TileRenderer(scene, tracer, central), options, threads);
 }

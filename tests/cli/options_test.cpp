@@ -47,6 +47,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
     if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
+    if (word == "R" || word == "SIGMA" || word == "TOLERANCE" || word == "ZOOM") word = "1";
     if (word == "MAX") word = "2";
   }
   return words;
@@ -286,9 +287,10 @@ TEST("a scene and something to do with it are needed") {
     return std::string();
   };
   CHECK(contains(message("-output out.tga"), "-input"));
-  CHECK(contains(message("-input scene.txt"), "-output, -depth, -normals, -stats and -check"));
-  for (const char* enough :
-       {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a", "-normal a"})
+  CHECK(contains(message("-input scene.txt"),
+                 "-output, -depth, -normals, -render_samples, -render_filter, -stats and -check"));
+  for (const char* enough : {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a",
+                             "-normal a", "-render_samples a 2", "-render_filter a 2"})
     CHECK_EQUAL(message((std::string("-input scene.txt ") + enough).c_str()), "");
   CHECK_EQUAL(message(""), "");
   CHECK_EQUAL(message("-help"), "");

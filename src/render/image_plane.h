@@ -1,0 +1,46 @@
+// Places on the picture: pixels, rectangles of them, and their points on the camera's image plane.
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "math/vec2.h"
+
+struct Pixel {
+  int i, j;
+};
+
+/// The pixels left <= i < right, bottom <= j < top, which may lie outside of the picture.
+struct PixelRectangle {
+  int left, bottom, right, top;
+
+  int width() const { return right - left; }
+  int height() const { return top - bottom; }
+  bool contains(Pixel at) const {
+    return at.i >= left && at.i < right && at.j >= bottom && at.j < top;
+  }
+  /// The place of a pixel inside, counted row by row.
+  std::size_t index(Pixel at) const {
+    return std::size_t(at.j - bottom) * std::size_t(width()) + std::size_t(at.i - left);
+  }
+  std::size_t pixelCount() const { return std::size_t(width()) * std::size_t(height()); }
+  PixelRectangle grown(int margin) const {
+    return {left - margin, bottom - margin, right + margin, top + margin};
+  }
+};
+
+/// Every other bit of a place in a block of 16 x 16 pixels, from the lowest on. Pixels are taken
+/// in this order (Morton's), so that any 2^n rays in a row lie in a block.
+constexpr int evenBits(int place) {
+  return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
+}
+
+/// The pixels of `area` in an order of the whole plane: blocks of 16 x 16 row by row, those of a
+/// block in the order of evenBits. Any two pixels come in the same order in every area.
+std::vector<Pixel> pixelsInOrder(const PixelRectangle& area);
+
+/// The point (x, y) of a picture of width x height pixels, counted in pixels from its lower left
+/// corner, on the image plane.
+inline Vec2d imagePoint(double x, double y, int width, int height) {
+  const double longer = std::max(width, height);
+  return {(x - width / 2.0) / longer, (y - height / 2.0) / longer};
+}

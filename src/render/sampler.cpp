@@ -1,0 +1,121 @@
+// The patterns of samples.
+#include "render/sampler.h"
+
+#include <cassert>
+
+#include "math/random_bits.h"
+
+namespace {
+
+/// What the random numbers of a pixel start from.
+std::uint64_t seedOf(int i, int j) {
+  return math::mixBits(std::uint64_t(std::uint32_t(i)) << 32 | std::uint32_t(j));
+}
+
+/// A point in the unit square, the `index`th of the pixel's own.
+Vec2d randomPoint(std::uint64_t pixel, std::uint64_t index) {
+  return {math::unitNumber(math::randomBits(pixel, 2 * index)),
+          math::unitNumber(math::randomBits(pixel, 2 * index + 1))};
+}
+
+/// The point `within` (0 to below 1) cell (x, y) of a grid of `side` cells each way.
+Vec2d pointInCell(int x, int y, int side, const Vec2d& within) {
+  return {(x + within.x()) / side, (y + within.y()) / side};
+}
+
+int nestedCount(int first, int most) {
+  int count = gridSide(first) * gridSide(first);
+  while (count < most) count *= 4;
+  return count;
+}
+
+}  // namespace
+
+Vec2d RandomSampler::getSamplePosition(int i, int j, int n) const {
+  return randomPoint(seedOf(i, j), std::uint64_t(n));
+}
+
+int gridSide(int samples) {
+  int side = 1;
+  while (side * side < samples) ++side;
+  return side;
+}
+
+UniformSampler::UniformSampler(int samples)
+    : Sampler(gridSide(samples) * gridSide(samples)), side_(gridSide(samples)) {}
+
+Vec2d UniformSampler::getSamplePosition(int, int, int n) const {
+  return pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
+}
+
+JitteredSampler::JitteredSampler(int samples)
+    : Sampler(gridSide(samples) * gridSide(samples)), side_(gridSide(samples)) {}
+
+Vec2d JitteredSampler::getSamplePosition(int i, int j, int n) const {
+  const Vec2d within = randomPoint(seedOf(i, j), std::uint64_t(n));
+  return pointInCell(n % side_, n / side_, side_, within);
+}
+
+NestedSampler::NestedSampler(int first, int most)
+    : Sampler(nestedCount(first, most)), side_(gridSide(first)) {}
+
+/// Each cell of a level brings three new samples to the next: one to each of its quarters but the
+/// one in which its own sample lies.
+Vec2d NestedSampler::getSamplePosition(int i, int j, int n) const {
+  assert(n >= 0 && n < getNumSamples());
+  const std::uint64_t pixel = seedOf(i, j);
+  Cell parent = {0, 0, 0};
+  int before = getNumFirst(), side = side_;
+  if (n < before) return sampleIn(pixel, {0, n % side, n / side});
+  for (; n >= 4 * before; before *= 4, side *= 2) ++parent.level;
+  const int cell = (n - before) / 3, other = (n - before) % 3;
+  parent.x = cell % side;
+  parent.y = cell / side;
+  const int quarter = (quarterOf(sampleIn(pixel, parent), parent) + 1 + other) % 4;
+  return newSampleIn(pixel,
+                     {parent.level + 1, 2 * parent.x + quarter % 2, 2 * parent.y + quarter / 2});
+}
+
+/// The sample that the grid of this level has in the cell: that of the cells around it, from the
+/// largest on, as long as it lies in this one.
+Vec2d NestedSampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
+  Cell around = {0, cell.x >> cell.level, cell.y >> cell.level};
+  Vec2d sample = newSampleIn(pixel, around);
+  for (int level = 1; level <= cell.level; ++level) {
+    const int beyond = cell.level - level;
+    const Cell next = {level, cell.x >> beyond, cell.y >> beyond};
+    const int quarter = next.x % 2 + 2 * (next.y % 2);
+    if (quarterOf(sample, around) != quarter) sample = newSampleIn(pixel, next);
+    around = next;
+  }
+  return sample;
+}
+
+/// The quarter of the cell in which its sample lies: 0 and 1 below, 2 and 3 above.
+int NestedSampler::quarterOf(const Vec2d& sample, const Cell& cell) const {
+  const int finer = side_ << (cell.level + 1);
+  return int(sample.x() * finer >= 2 * cell.x + 1) + 2 * int(sample.y() * finer >= 2 * cell.y + 1);
+}
+
+Vec2d NestedSampler::newSampleIn(std::uint64_t pixel, const Cell& cell) const {
+  const int side = side_ << cell.level;
+  const auto index = std::uint64_t(cell.x + cell.y * side) | std::uint64_t(cell.level) << 32;
+  return pointInCell(cell.x, cell.y, side, randomPoint(pixel, index));
+}
+
+std::unique_ptr<const Sampler> makeSampler(const SamplingOptions& options) {
+  using Pattern = SamplingOptions::Pattern;
+  switch (options.pattern) {
+    case Pattern::random:
+      return std::make_unique<RandomSampler>(options.samples);
+    case Pattern::jittered:
+      return std::make_unique<JitteredSampler>(options.samples);
+    case Pattern::adaptive:
+      return std::make_unique<NestedSampler>(options.samples, options.maxSamples);
+    case Pattern::uniform:
+      return std::make_unique<UniformSampler>(options.samples);
+    case Pattern::center:
+      break;
+  }
+  return std::make_unique<UniformSampler>(1);
+}

@@ -1,0 +1,28 @@
+// Random numbers without a state.
+#include "math/random_bits.h"
+
+#include "check.h"
+
+TEST("the sequence that starts at 0 is the published one of SplitMix64") {
+  // The first outputs of the authors' own program (Vigna, splitmix64.c, 2015) for the state 0.
+  CHECK_EQUAL(math::randomBits(0, 0), 0xe220a8397b1dcdafu);
+  CHECK_EQUAL(math::randomBits(0, 1), 0x6e789e6aa1b965f4u);
+  CHECK_EQUAL(math::randomBits(0, 2), 0x06c45d188009454fu);
+}
+
+TEST("unit numbers are at least 0 and below 1") {
+  CHECK_EQUAL(math::unitNumber(0), 0.0);
+  CHECK_EQUAL(math::unitNumber(~std::uint64_t{0}), 1 - 0x1p-32);
+  CHECK_EQUAL(math::unitNumber(std::uint64_t{1} << 63), 0.5);
+}
+
+TEST("one bit of the argument changes about half of the bits") {
+  // 64 x 64 bits, each of which flips with probability 1/2: 2048 with a standard deviation of 32.
+  int flipped = 0;
+  for (int bit = 0; bit < 64; ++bit) {
+    std::uint64_t change = math::mixBits(0x123456789abcdefu) ^
+                           math::mixBits(0x123456789abcdefu ^ std::uint64_t{1} << bit);
+    for (; change != 0; change &= change - 1) ++flipped;
+  }
+  CHECK_NEAR(flipped, 2048, 160);
+}
