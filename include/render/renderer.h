@@ -4,6 +4,7 @@
 #include "geometry/object3d.h"
 #include "image/image.h"
 #include "render/render_options.h"
+#include "render/tile_keeper.h"
 #include "scene/scene_parser.h"
 
 /// The pictures wanted; null where one is not. All that are given have the same size, but
@@ -16,6 +17,7 @@ struct RenderTargets {
   int samplesZoom = 1;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
+  TileKeeper* keeper = nullptr;  ///< null: nobody keeps tiles
 };
 
 /// Fills the targets with the scene as its camera sees it, `geometry` (the scene's group, or a

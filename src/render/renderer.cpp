@@ -40,14 +40,20 @@ class TileRenderer {
 
   int tileCount() const { return columns() * rows(); }
 
-  void renderTile(int tile) const {
+  PixelRectangle areaOf(int tile) const {
     const int left = tile % columns() * kTileSize, bottom = tile / columns() * kTileSize;
+    return {left, bottom, std::min(left + kTileSize, width_),
+            std::min(bottom + kTileSize, height_)};
+  }
+
+  void renderTile(int tile) const {
+    const PixelRectangle area = areaOf(tile);
     Pixel pixels[kTilePixels];
     RayTracer::TracedRay rays[kTilePixels];
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
-      const Pixel pixel = {left + evenBits(place), bottom + evenBits(place >> 1)};
-      if (pixel.i >= width_ || pixel.j >= height_) continue;
+      const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
+      if (!area.contains(pixel)) continue;
       pixels[count] = pixel;
       rays[count++] = {
           camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_)),
@@ -98,13 +104,19 @@ class TileRenderer {
   const int width_, height_;
 };
 
-/// Renders all tiles of a renderer on so many threads.
+/// Renders all tiles of a renderer for `targets` on so many threads, but those that are kept.
 template <class Renderer>
-void renderTiles(const Renderer& renderer, const RenderOptions& options, int threads) {
+void renderTiles(const Renderer& renderer, const RenderTargets& targets,
+                 const RenderOptions& options, int threads) {
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
   runOnThreads(std::min(threads, renderer.tileCount()), stack, [&](int) {
-    for (int tile; (tile = next++) < renderer.tileCount();) renderer.renderTile(tile);
+    for (int tile; (tile = next++) < renderer.tileCount();) {
+      const PixelRectangle area = renderer.areaOf(tile);
+      if (targets.keeper && targets.keeper->isFinished(targets, area)) continue;
+      renderer.renderTile(tile);
+      if (targets.keeper) targets.keeper->finish(targets, area);
+    }
   });
 }
 
@@ -117,10 +129,12 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
     const SampledScene sampled = {*scene.getCamera(), tracer, size.x(), size.y()};
-    const SampledRenderer renderer(sampled, options.sampling, targets, threads);
-    renderTiles(renderer, options, threads);
+    RenderTargets ofSamples = targets;
+    ofSamples.depth = ofSamples.normals = nullptr;
+    const SampledRenderer renderer(sampled, options.sampling, ofSamples, threads);
+    renderTiles(renderer, ofSamples, options, threads);
     central.color = central.samples = nullptr;
     if (!anyOf(central)) return;
   }
-  renderTiles(TileRenderer(scene, tracer, central), options, threads);
+  renderTiles(TileRenderer(scene, tracer, central), central, options, threads);
 }
