@@ -59,6 +59,12 @@ class Hit {
     part_ = part;
     magnitude_ = magnitude;
   }
+  /// The same hit of a surface of another material.
+  Hit withMaterial(const Material* material) const {
+    Hit hit = *this;
+    hit.material_ = material;
+    return hit;
+  }
   /// Restates the hit in the space of `ray`, where its unit normal is `normal`.
   void moveTo(const Ray& ray, const Vec3d& normal, double magnitude) {
     set(t_, material_, normal, ray);

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "geometry/object3d.h"
+#include "render/passage.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
+
+class Media;
 
 class RayTracer {
  public:
@@ -22,10 +25,6 @@ class RayTracer {
   /// travels in. On return `hit` holds what was hit; it is best passed in fresh.
   Vec3f traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                  Hit& hit) const;
-
-  /// The second half of traceRay: the colour of a surface that is known to be hit.
-  Vec3f shade(const Ray& ray, const Hit& hit, int bounces, float weight,
-              float indexOfRefraction) const;
 
   /// A ray as the recursion knows it.
   struct TracedRay {
@@ -43,10 +42,13 @@ class RayTracer {
   /// `count` hits, passed in fresh; there what was hit is stored.
   void traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits, Vec3f* colors) const;
 
-  /// Finds what the same rays hit, and no colours.
+  /// Finds what the same rays hit, and no colours. Surfaces that change nothing, as
+  /// RenderOptions::nestedDielectrics has them, are passed over here as well.
   void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
 
  private:
+  class PartBatch;
+
   /// One light as a point sees it.
   struct LightSample {
     Vec3d direction;  ///< unit, to the light
@@ -55,6 +57,14 @@ class RayTracer {
     bool isInFront;  ///< n.l > 0
   };
 
+  /// The second half of traceRay: the colour of a surface that is known to be hit. Where its
+  /// material is a solid texture: the mean, by weight, of its parts' colours, each as if the
+  /// surface were of that part alone. The weights of the rays that continue are multiplied by the
+  /// part's, so that RenderOptions::minWeight ends rays from faint parts.
+  Vec3f shade(const Ray& ray, const Hit& hit, const Passage& passage, int bounces, float weight,
+              float indexOfRefraction) const;
+  Vec3f shadeTexture(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                     float weight, float indexOfRefraction) const;
   Vec3d ambient(const Hit& hit) const;
   Vec3d lights(const Ray& ray, const Hit& hit) const;
   /// `hit`, or a copy in `turned` whose normal faces the ray, where back sides are to be lit too.
@@ -63,16 +73,29 @@ class RayTracer {
   Vec3d reflected(const Ray& ray, const Hit& lit, const LightSample& light,
                   const Vec3f& visible) const;
   /// The rays that continue `ray` where it hits; nothing where there is none, or none is wanted.
-  std::optional<TracedRay> mirrored(const Ray& ray, const Hit& hit, int bounces, float weight,
-                                    float indexOfRefraction) const;
-  std::optional<TracedRay> refracted(const Ray& ray, const Hit& hit, int bounces,
-                                     float weight) const;
+  std::optional<TracedRay> mirrored(const Ray& ray, const Hit& hit, const Passage& passage,
+                                    int bounces, float weight, float indexOfRefraction) const;
+  std::optional<TracedRay> refracted(const Ray& ray, const Hit& hit, const Passage& passage,
+                                     int bounces, float weight) const;
+  Vec3f mirrorFactor(const Ray& ray, const Hit& hit, const Passage& passage) const;
+  Vec3f refractedFactor(const Ray& ray, const Hit& hit, const Passage& passage) const;
   Vec3d follow(std::optional<TracedRay> next, int bounces) const;
+
+  /// Finds what lies on both sides of `hit`, the nearest with t < tmax. Where the surface is inside
+  /// a medium of higher priority and changes nothing, moves `hit` on to the nearest behind it that
+  /// does; where there is none, returns false and `hit` is as before anything was found.
+  bool settle(const Ray& ray, double tmax, Hit& hit, Passage& passage) const;
+  bool passThrough(const Media& media, double start, const Hit& hit, Passage& passage) const;
+  bool wantsMedia(const Hit& hit) const;
+  double reachOf(const Hit& hit) const;
 
   bool mayTrace(const Vec3f& color, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
   ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
   // Parts of traceBatch.
+  std::vector<Passage> findBatch(const TracedRay* rays, int count, Hit* hits) const;
+  void shadeBatch(const TracedRay* rays, const Hit* hits, const Passage* passages, int count,
+                  int bounces, Vec3f* colors) const;
   std::vector<Vec3d> localTerms(const TracedRay* rays, const Hit* hits, int count) const;
   void addLight(int index, const TracedRay* rays, const Hit* hits, int count,
                 std::vector<Vec3d>& sums) const;
@@ -86,4 +109,5 @@ class RayTracer {
   const SceneParser* scene_;  // not owned
   const Object3D* geometry_;  // not owned
   RenderOptions options_;     // epsilon is never `automatic` here
+  bool hasGlass_;             // some material of the scene is transparent
 };

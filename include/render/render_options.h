@@ -24,6 +24,8 @@ struct RenderOptions {
   bool shadows = true;              ///< cast shadow rays
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
+  bool nestedDielectrics = false;   ///< indices follow from what a ray is inside of, by priority
+  bool fresnel = false;             ///< reflection follows from index and angle
   Epsilon epsilon;
   SamplingOptions sampling;
 };

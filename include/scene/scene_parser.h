@@ -53,7 +53,8 @@ class SceneParser {
   double getSpan() const;
 
   /// Finds out which meshes enclose a volume. Needed once, before rendering with
-  /// RenderOptions::transparentShadows; looks only at meshes of transparent material.
+  /// RenderOptions::transparentShadows, nestedDielectrics or fresnel; looks only at meshes of
+  /// transparent material.
   void findClosedMeshes();
 
  private:

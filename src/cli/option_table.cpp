@@ -88,6 +88,13 @@ std::vector<OptionRow> lightRows() {
        [](Given, Options& o) { o.render.transparentShadows = true; }},
       {group, "shade_back", nullptr, "", nullptr, "light both sides of every surface",
        [](Given, Options& o) { o.render.shadeBack = true; }},
+      {group, "nested_dielectrics", nullptr, "", nullptr,
+       "the index of refraction on either side follows from what a ray has entered and not left; "
+       "where objects overlap, the larger priority of their materials holds",
+       [](Given, Options& o) { o.render.nestedDielectrics = true; }},
+      {group, "fresnel", nullptr, "", nullptr,
+       "how much is reflected follows from index and angle; glass dims with the length inside",
+       [](Given, Options& o) { o.render.fresnel = true; }},
       {group, "epsilon", nullptr, "E", nullptr,
        "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
        "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "

@@ -57,6 +57,10 @@ int threadCount(const Options& options) {
   return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
 }
 
+bool needsClosedMeshes(const RenderOptions& render) {
+  return render.transparentShadows || render.nestedDielectrics || render.fresnel;
+}
+
 bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples;
 }
@@ -131,7 +135,7 @@ int renderScene(const Options& options) {
   SceneParser scene = readScene(options, sceneDigest);
   checkFiles(options, scene.getMeshFiles());
   printWarnings(scene, options);
-  if (options.render.transparentShadows) {
+  if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
   stats.readSeconds = watch.restart();

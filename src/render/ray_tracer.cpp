@@ -2,8 +2,8 @@
 // Source: Whitted, "An Improved Illumination Model for Shaded Display", 1980.
 #include "render/ray_tracer.h"
 
-#include "render/optics.h"
 #include "render/transmittance.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -22,6 +22,13 @@ Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   return {usual ? Epsilon::Kind::fixed : Epsilon::Kind::adaptive, Epsilon::kCourse};
 }
 
+bool hasTransparentMaterial(const SceneParser& scene) {
+  for (int i = 0; i < scene.getNumMaterials(); ++i) {
+    if (anyPositive(scene.getMaterial(i)->getTransparentColor())) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 RayTracer::RayTracer(SceneParser* s, int max_bounces, float min_weight)
@@ -29,22 +36,46 @@ RayTracer::RayTracer(SceneParser* s, int max_bounces, float min_weight)
 
 RayTracer::RayTracer(const SceneParser& scene, const Object3D& geometry,
                      const RenderOptions& options)
-    : scene_(&scene), geometry_(&geometry), options_(options) {
+    : scene_(&scene),
+      geometry_(&geometry),
+      options_(options),
+      hasGlass_(hasTransparentMaterial(scene)) {
   options_.epsilon = resolved(options.epsilon, scene);
 }
 
 Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                           Hit& hit) const {
-  if (!geometry_->intersect(ray, hit, tmin)) return scene_->getBackgroundColor();
-  return shade(ray, hit, bounces, weight, indexOfRefraction);
+  const double tmax = hit.getT();
+  Passage passage;
+  if (!geometry_->intersect(ray, hit, tmin) || !settle(ray, tmax, hit, passage)) {
+    return scene_->getBackgroundColor();
+  }
+  return shade(ray, hit, passage, bounces, weight, indexOfRefraction);
 }
 
-Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, int bounces, float weight,
-                       float indexOfRefraction) const {
+Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                       float weight, float indexOfRefraction) const {
+  if (hit.getMaterial()->asTexture()) {
+    return shadeTexture(ray, hit, passage, bounces, weight, indexOfRefraction);
+  }
   // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
-  return Vec3f(ambient(hit) + lights(ray, hit) +
-               follow(mirrored(ray, hit, bounces, weight, indexOfRefraction), bounces) +
-               follow(refracted(ray, hit, bounces, weight), bounces));
+  const Vec3d sum =
+      ambient(hit) + lights(ray, hit) +
+      follow(mirrored(ray, hit, passage, bounces, weight, indexOfRefraction), bounces) +
+      follow(refracted(ray, hit, passage, bounces, weight), bounces);
+  return Vec3f(sum * Vec3d(passage.tint));
+}
+
+Vec3f RayTracer::shadeTexture(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                              float weight, float indexOfRefraction) const {
+  const SolidTexture& texture = *hit.getMaterial()->asTexture();
+  Vec3d sum;
+  for (const WeightedMaterial& part : texture.partsAt(hit.getIntersectionPoint())) {
+    const Vec3f color = shade(ray, hit.withMaterial(part.material), passage, bounces,
+                              weight * float(part.weight), indexOfRefraction);
+    sum += part.weight * Vec3d(color);
+  }
+  return Vec3f(sum);
 }
 
 Vec3d RayTracer::ambient(const Hit& hit) const {
@@ -101,33 +132,6 @@ Vec3d RayTracer::follow(std::optional<TracedRay> next, int bounces) const {
   Hit hit;
   return Vec3d(next->factor) * traceRay(next->ray, float(next->tmin), bounces + 1, next->weight,
                                         next->indexOfRefraction, hit);
-}
-
-std::optional<RayTracer::TracedRay> RayTracer::mirrored(const Ray& ray, const Hit& hit, int bounces,
-                                                        float weight,
-                                                        float indexOfRefraction) const {
-  const Vec3f color = hit.getMaterial()->getReflectiveColor();
-  const float mirrorWeight = weight * length(color);
-  if (!mayTrace(color, bounces, mirrorWeight)) return std::nullopt;
-  const Vec3d direction = mirrorDirection(hit.getNormal(), ray.getDirection());
-  return TracedRay{leavingRay(hit, direction), epsilonAt(hit), mirrorWeight, indexOfRefraction,
-                   color};
-}
-
-std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const Hit& hit,
-                                                         int bounces, float weight) const {
-  const Vec3f color = hit.getMaterial()->getTransparentColor();
-  const float refractedWeight = weight * length(color);
-  if (!mayTrace(color, bounces, refractedWeight)) return std::nullopt;
-  const bool outside = dot(hit.getNormal(), ray.getDirection()) < 0;
-  const float inner = hit.getMaterial()->getIndexOfRefraction();
-  const float before = outside ? 1 : inner, behind = outside ? inner : 1;
-  const Vec3d normal = outside ? hit.getNormal() : -hit.getNormal();
-  Vec3d direction;
-  if (!transmittedDirection(normal, ray.getDirection(), before, behind, direction)) {
-    return std::nullopt;
-  }
-  return TracedRay{leavingRay(hit, direction), epsilonAt(hit), refractedWeight, behind, color};
 }
 
 /// The one place where recursion stops.

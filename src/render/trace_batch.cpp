@@ -1,7 +1,9 @@
 // RayTracer::traceBatch: the same recursion for many rays at once, each generation in batches.
+#include <algorithm>
 #include <vector>
 
 #include "render/ray_tracer.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -12,7 +14,68 @@ constexpr int kMostGenerations = 64;
 
 bool isFound(const Hit& hit) { return hit.getT() < Hit().getT(); }
 
+bool isTextured(const Hit& hit) { return isFound(hit) && hit.getMaterial()->asTexture(); }
+
 }  // namespace
+
+/// Shades hits of which some are of textures: the parts of all of them together, a batch at a time.
+class RayTracer::PartBatch {
+ public:
+  PartBatch(const RayTracer& tracer, int bounces, int count)
+      : tracer_(tracer), bounces_(bounces), sums_(std::size_t(count)) {}
+
+  /// Takes what ray number `place` hit, if anything.
+  void add(const TracedRay& ray, const Hit& hit, const Passage& passage, int place) {
+    if (!isTextured(hit)) return addPart(ray, hit, passage, {place, 1});
+    const SolidTexture& texture = *hit.getMaterial()->asTexture();
+    for (const WeightedMaterial& part : texture.partsAt(hit.getIntersectionPoint())) {
+      TracedRay lighter = ray;
+      lighter.weight *= float(part.weight);
+      addPart(lighter, hit.withMaterial(part.material), passage, {place, part.weight});
+    }
+  }
+
+  /// Stores the colours of all rays.
+  void finish(Vec3f* colors) {
+    shadeParts();
+    for (const Vec3d& sum : sums_) *colors++ = Vec3f(sum);
+  }
+
+ private:
+  struct Share {
+    int place;
+    double weight;
+  };
+
+  void addPart(const TracedRay& ray, const Hit& hit, const Passage& passage, const Share& share) {
+    if (shares_.size() == Object3D::kBatchSize) shadeParts();
+    rays_.push_back(ray);
+    hits_.push_back(hit);
+    passages_.push_back(passage);
+    shares_.push_back(share);
+  }
+
+  void shadeParts() {
+    std::vector<Vec3f> colors(shares_.size());
+    tracer_.shadeBatch(rays_.data(), hits_.data(), passages_.data(), int(rays_.size()), bounces_,
+                       colors.data());
+    for (std::size_t k = 0; k < shares_.size(); ++k) {
+      sums_[std::size_t(shares_[k].place)] += shares_[k].weight * Vec3d(colors[k]);
+    }
+    rays_.clear();
+    hits_.clear();
+    passages_.clear();
+    shares_.clear();
+  }
+
+  const RayTracer& tracer_;
+  int bounces_;
+  std::vector<TracedRay> rays_;
+  std::vector<Hit> hits_;
+  std::vector<Passage> passages_;
+  std::vector<Share> shares_;  // whose parts they are
+  std::vector<Vec3d> sums_;
+};
 
 void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits,
                            Vec3f* colors) const {
@@ -24,19 +87,39 @@ void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* h
     }
     return;
   }
-  intersectBatch(rays, count, hits);
+  const std::vector<Passage> passages = findBatch(rays, count, hits);
+  if (std::none_of(hits, hits + count, isTextured)) {
+    return shadeBatch(rays, hits, passages.data(), count, bounces, colors);
+  }
+  PartBatch parts(*this, bounces, count);
+  for (int i = 0; i < count; ++i) parts.add(rays[i], hits[i], passages[std::size_t(i)], i);
+  parts.finish(colors);
+}
+
+/// The second half of traceBatch, where no hit is of a texture.
+void RayTracer::shadeBatch(const TracedRay* rays, const Hit* hits, const Passage* passages,
+                           int count, int bounces, Vec3f* colors) const {
   std::vector<Vec3d> sums = localTerms(rays, hits, count);
   addContinued(hits, count, bounces, sums, [&](int i) {
-    return mirrored(rays[i].ray, hits[i], bounces, rays[i].weight, rays[i].indexOfRefraction);
+    return mirrored(rays[i].ray, hits[i], passages[i], bounces, rays[i].weight,
+                    rays[i].indexOfRefraction);
   });
-  addContinued(hits, count, bounces, sums,
-               [&](int i) { return refracted(rays[i].ray, hits[i], bounces, rays[i].weight); });
+  addContinued(hits, count, bounces, sums, [&](int i) {
+    return refracted(rays[i].ray, hits[i], passages[i], bounces, rays[i].weight);
+  });
   for (int i = 0; i < count; ++i) {
-    colors[i] = isFound(hits[i]) ? Vec3f(sums[std::size_t(i)]) : scene_->getBackgroundColor();
+    const Vec3d tint(passages[i].tint);
+    colors[i] =
+        isFound(hits[i]) ? Vec3f(sums[std::size_t(i)] * tint) : scene_->getBackgroundColor();
   }
 }
 
 void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) const {
+  findBatch(rays, count, hits);
+}
+
+/// Finds what the rays hit, and what lies on both sides of it.
+std::vector<Passage> RayTracer::findBatch(const TracedRay* rays, int count, Hit* hits) const {
   std::vector<Ray> only;
   std::vector<double> tmins;
   only.reserve(std::size_t(count));
@@ -46,6 +129,11 @@ void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) cons
     tmins.push_back(rays[i].tmin);
   }
   geometry_->intersectBatch(only.data(), tmins.data(), count, hits);
+  std::vector<Passage> passages(only.size());
+  for (int i = 0; i < count; ++i) {
+    if (isFound(hits[i])) settle(rays[i].ray, Hit().getT(), hits[i], passages[std::size_t(i)]);
+  }
+  return passages;
 }
 
 /// Ambient light and all lamps.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "math/functions.h"
-#include "shading/material.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -25,13 +25,17 @@ bool filterLess(const Filter& a, const Filter& b) {
 
 class ShadowRay : public CrossingVisitor {
  public:
-  ShadowRay(double epsilon, double distance) : epsilon_(epsilon), distance_(distance) {}
+  ShadowRay(const Ray& ray, double epsilon, double distance)
+      : ray_(ray), epsilon_(epsilon), distance_(distance) {}
 
   void visit(const Crossing& crossing) override {
     const bool between = crossing.t > epsilon_ && crossing.t < distance_;
-    if (!anyPositive(crossing.material->getTransparentColor())) {
-      blocked_ = blocked_ || between;
-    } else if (crossing.closed || between) {
+    if (blocked_ || !(crossing.closed || between)) return;
+    // An opaque material has no inside; a texture may have one elsewhere.
+    if (!anyPositive(crossing.material->getTransparentColor()) ||
+        (between && !anyPositive(colorAt(crossing)))) {
+      blocked_ = between;
+    } else {
       crossings_.push_back(crossing);
     }
   }
@@ -47,7 +51,11 @@ class ShadowRay : public CrossingVisitor {
     for (auto first = crossings_.begin(); first != crossings_.end();) {
       const auto last = std::find_if(first, crossings_.end(),
                                      [&](const Crossing& c) { return c.object != first->object; });
-      filters.push_back(filterOf(first, last));
+      if (first->material->asTexture()) {
+        addTextured(first, last, filters);
+      } else {
+        filters.push_back(filterOf(first, last));
+      }
       first = last;
     }
     std::sort(filters.begin(), filters.end(), filterLess);
@@ -73,12 +81,46 @@ class ShadowRay : public CrossingVisitor {
     return {color, std::fabs(inside)};
   }
 
+  /// The crossings of one textured object: a filter for each stretch of the way inside it, or for
+  /// each crossing where it is open. From the light's end of the ray on, a surface that the light
+  /// leaves by ends the stretch that began last.
+  void addTextured(Iterator first, Iterator last, std::vector<Filter>& filters) const {
+    std::vector<Iterator> begun;
+    for (Iterator c = last; c != first;) {
+      --c;
+      if (!c->closed) {
+        filters.push_back({colorAt(*c), 1});
+      } else if (begun.empty() || begun.back()->leaving == c->leaving) {
+        begun.push_back(c);
+      } else {
+        addStretch(&*c, *begun.back(), filters);
+        begun.pop_back();
+      }
+    }
+    for (const Iterator c : begun) addStretch(nullptr, *c, filters);
+  }
+
+  /// The stretch between `near` (null where the ray begins inside) and `far`. Its colour is that of
+  /// the place where the light enters, or where it leaves if the lamp is inside; where both ends
+  /// of the way are inside, that of the surface behind the lamp. An opaque place filters nothing:
+  /// that it does not block has been found out before.
+  void addStretch(const Crossing* near, const Crossing& far, std::vector<Filter>& filters) const {
+    const double start = near ? std::min(near->t, distance_) : 0;
+    const Vec3f color = colorAt(far.t < distance_ || !near ? far : *near);
+    if (anyPositive(color)) filters.push_back({color, std::min(far.t, distance_) - start});
+  }
+
+  Vec3f colorAt(const Crossing& crossing) const {
+    return transparencyAt(*crossing.material, ray_.pointAtParameter(crossing.t));
+  }
+
   static Vec3f power(const Vec3f& color, double exponent) {
     Vec3f result;
     for (int i = 0; i < 3; ++i) result[i] = float(math::pow(std::max(color[i], 0.0f), exponent));
     return result;
   }
 
+  const Ray& ray_;
   double epsilon_, distance_;
   bool blocked_ = false;
   std::vector<Crossing> crossings_;
@@ -86,8 +128,18 @@ class ShadowRay : public CrossingVisitor {
 
 }  // namespace
 
+Vec3f transparencyAt(const Material& material, const Vec3d& point) {
+  const SolidTexture* const texture = material.asTexture();
+  if (!texture) return material.getTransparentColor();
+  Vec3d sum;
+  for (const WeightedMaterial& part : texture->partsAt(point)) {
+    sum += part.weight * Vec3d(part.material->getTransparentColor());
+  }
+  return Vec3f(sum);
+}
+
 Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, double distance) {
-  ShadowRay visitor(epsilon, distance);
+  ShadowRay visitor(ray, epsilon, distance);
   geometry.visitCrossings(ray, visitor);
   return visitor.result();
 }

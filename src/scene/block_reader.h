@@ -3,6 +3,7 @@
 // There is one path for reading and for checking: a mistake is reported, and if the log does not
 // throw, reading goes on behind it. Every loop over words either consumes one or ends.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -20,10 +21,13 @@ struct WordChoice {
   std::size_t* index;
 };
 
-/// A named value in a block, and where it goes.
+/// A named value in a block, and where it goes; or a function that reads it from behind its name
+/// and returns false after a mistake.
 struct Field {
   std::string_view name;
-  std::variant<double*, float*, Vec3d*, Vec3f*, std::string_view*, WordChoice> target;
+  std::variant<double*, float*, int*, Vec3d*, Vec3f*, std::string_view*, WordChoice,
+               const std::function<bool()>*>
+      target;
   bool isRequired = true;
   const char* at = nullptr;  ///< where its value stands; null unless a good one was read
 };

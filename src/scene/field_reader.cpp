@@ -10,6 +10,13 @@ namespace {
 bool readAny(std::string_view word, double& value) { return readDouble(word, value); }
 bool readAny(std::string_view word, float& value) { return readFloat(word, value); }
 
+/// True for MaterialIndex where a field is called materialIndex.
+bool isCapitalised(std::string_view word, const Field* first, const Field* last) {
+  return std::any_of(first, last, [&](const Field& field) {
+    return word.substr(1) == field.name.substr(1) && word[0] == field.name[0] - 'a' + 'A';
+  });
+}
+
 }  // namespace
 
 template <class T>
@@ -60,7 +67,7 @@ bool BlockReader::readFields(std::string_view owner, FieldList fields) {
     while (field != end && !isWord(word_, field->name)) ++field;
     if (field != end) {
       readField(*field);
-    } else if (atEnd() || isBlockWord(word_)) {
+    } else if (atEnd() || (isBlockWord(word_) && !isCapitalised(word_, fields.first, end))) {
       closeBlock(owner);
       return false;
     } else {
@@ -85,10 +92,12 @@ void BlockReader::readField(Field& field) {
     std::string_view name;
     bool operator()(double* value) { return in.readNumber(name, *value); }
     bool operator()(float* value) { return in.readNumber(name, *value); }
+    bool operator()(int* value) { return in.readWholeNumber(name, *value); }
     bool operator()(Vec3d* value) { return in.readVector(name, *value); }
     bool operator()(Vec3f* value) { return in.readVector(name, *value); }
     bool operator()(std::string_view* value) { return in.readName(name, *value); }
     bool operator()(const WordChoice& choice) { return in.readChoice(name, choice); }
+    bool operator()(const std::function<bool()>* read) { return (*read)(); }
   };
   field.at = std::visit(Reader{*this, field.name}, field.target) ? place : nullptr;
 }

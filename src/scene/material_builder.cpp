@@ -12,7 +12,8 @@ void SceneBuilder::readMaterials() {
   in_.advance();
   const std::size_t mistakesBefore = in_.mistakeCount();
   const CountedBlock block{"Materials", "numMaterials", kMaterialWords, kMaterialWords};
-  const auto readItem = [this] {
+  const auto readItem = [&] {
+    areMaterialsSure_ = in_.mistakeCount() == mistakesBefore;
     scene_.materials_.push_back(readMaterial());
     ++listedMaterials_;
   };
@@ -30,7 +31,11 @@ std::unique_ptr<Material> SceneBuilder::readMaterial() {
                                     {"BlinnPhongMaterial", &SceneBuilder::readBlinnPhong},
                                     {"CookTorranceMaterial", &SceneBuilder::readCookTorrance},
                                     {"WardMaterial", &SceneBuilder::readWard},
-                                    {"OrenNayarMaterial", &SceneBuilder::readOrenNayar}};
+                                    {"OrenNayarMaterial", &SceneBuilder::readOrenNayar},
+                                    {"Checkerboard", &SceneBuilder::readTexture},
+                                    {"Noise", &SceneBuilder::readTexture},
+                                    {"Marble", &SceneBuilder::readTexture},
+                                    {"Wood", &SceneBuilder::readTexture}};
   static_assert(std::size(kKinds) == std::size(kMaterialWords), "each word has its reader");
   const Kind* kind = kKinds;
   while (kind->word != in_.word()) ++kind;

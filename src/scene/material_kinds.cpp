@@ -9,6 +9,16 @@
 #include "shading/phong_material.h"
 #include "shading/ward_material.h"
 
+namespace {
+
+/// A material with what no constructor takes.
+std::unique_ptr<Material> withPriority(std::unique_ptr<Material> material, int priority) {
+  material->setPriority(priority);
+  return material;
+}
+
+}  // namespace
+
 /// Reads the block whose name is the current word: a kind's own `fields` and those of every kind,
 /// which go to `base` and are checked. Returns all fields, its own first and in order.
 std::vector<Field> SceneBuilder::readMaterialFields(MaterialBase& base, std::vector<Field> fields) {
@@ -18,8 +28,9 @@ std::vector<Field> SceneBuilder::readMaterialFields(MaterialBase& base, std::vec
   fields.push_back({"transparentColor", &base.transparentColor, false});
   fields.push_back({"reflectiveColor", &base.reflectiveColor, false});
   fields.push_back({"indexOfRefraction", &base.indexOfRefraction, false});
+  fields.push_back({"priority", &base.priority, false});
   in_.readFields(owner, fields);
-  checkAbove(0, double(base.indexOfRefraction), fields.back());
+  checkAbove(0, double(base.indexOfRefraction), fields[fields.size() - 2]);
   return fields;
 }
 
@@ -30,9 +41,10 @@ std::unique_ptr<Material> SceneBuilder::readPhong() {
   const std::vector<Field> fields = readMaterialFields(
       base, {{"specularColor", &specular, false}, {"exponent", &exponent, false}});
   checkAtLeast(0, double(exponent), fields[1]);
-  return std::make_unique<PhongMaterial>(base.diffuseColor, specular, exponent,
-                                         base.transparentColor, base.reflectiveColor,
-                                         base.indexOfRefraction);
+  return withPriority(
+      std::make_unique<PhongMaterial>(base.diffuseColor, specular, exponent, base.transparentColor,
+                                      base.reflectiveColor, base.indexOfRefraction),
+      base.priority);
 }
 
 std::unique_ptr<Material> SceneBuilder::readBlinnPhong() {
@@ -42,9 +54,10 @@ std::unique_ptr<Material> SceneBuilder::readBlinnPhong() {
   const std::vector<Field> fields = readMaterialFields(
       base, {{"specularColor", &specular, false}, {"exponent", &exponent, false}});
   checkAtLeast(0, double(exponent), fields[1]);
-  return std::make_unique<BlinnPhongMaterial>(base.diffuseColor, specular, exponent,
-                                              base.transparentColor, base.reflectiveColor,
-                                              base.indexOfRefraction);
+  return withPriority(std::make_unique<BlinnPhongMaterial>(
+                          base.diffuseColor, specular, exponent, base.transparentColor,
+                          base.reflectiveColor, base.indexOfRefraction),
+                      base.priority);
 }
 
 std::unique_ptr<Material> SceneBuilder::readCookTorrance() {
@@ -66,10 +79,12 @@ std::unique_ptr<Material> SceneBuilder::readCookTorrance() {
     const char* const second = std::max(fields[1].at, fields[2].at);
     in_.report(second, "expected index or specularColor in CookTorranceMaterial, found both");
   }
-  return std::make_unique<CookTorranceMaterial>(
-      base.diffuseColor, fields[2].at ? Fresnel::ofColor(specular) : Fresnel::ofIndex(index),
-      roughness, distribution == 0 ? Distribution::ggx : Distribution::beckmann,
-      base.transparentColor, base.reflectiveColor, base.indexOfRefraction);
+  return withPriority(
+      std::make_unique<CookTorranceMaterial>(
+          base.diffuseColor, fields[2].at ? Fresnel::ofColor(specular) : Fresnel::ofIndex(index),
+          roughness, distribution == 0 ? Distribution::ggx : Distribution::beckmann,
+          base.transparentColor, base.reflectiveColor, base.indexOfRefraction),
+      base.priority);
 }
 
 std::unique_ptr<Material> SceneBuilder::readWard() {
@@ -85,8 +100,10 @@ std::unique_ptr<Material> SceneBuilder::readWard() {
   checkAbove(0, double(grain.roughnessY), fields[2]);
   checkNotZero(grain.tangent, fields[3]);
   grain.tangent = rescaled(grain.tangent);
-  return std::make_unique<WardMaterial>(base.diffuseColor, specular, grain, base.transparentColor,
-                                        base.reflectiveColor, base.indexOfRefraction);
+  return withPriority(
+      std::make_unique<WardMaterial>(base.diffuseColor, specular, grain, base.transparentColor,
+                                     base.reflectiveColor, base.indexOfRefraction),
+      base.priority);
 }
 
 std::unique_ptr<Material> SceneBuilder::readOrenNayar() {
@@ -94,6 +111,8 @@ std::unique_ptr<Material> SceneBuilder::readOrenNayar() {
   float roughness = 0.5f;
   const std::vector<Field> fields = readMaterialFields(base, {{"roughness", &roughness, false}});
   checkAtLeast(0, double(roughness), fields[0]);
-  return std::make_unique<OrenNayarMaterial>(base.diffuseColor, roughness, base.transparentColor,
-                                             base.reflectiveColor, base.indexOfRefraction);
+  return withPriority(
+      std::make_unique<OrenNayarMaterial>(base.diffuseColor, roughness, base.transparentColor,
+                                          base.reflectiveColor, base.indexOfRefraction),
+      base.priority);
 }

@@ -10,6 +10,7 @@
 #include "scene/block_reader.h"
 #include "scene/mesh_library.h"
 #include "scene/scene_parser.h"
+#include "shading/solid_texture.h"
 
 class SceneBuilder {
  public:
@@ -35,6 +36,16 @@ class SceneBuilder {
   struct MaterialBase {
     Vec3f diffuseColor{1, 1, 1}, transparentColor, reflectiveColor;
     float indexOfRefraction = 1;
+    int priority = 0;
+  };
+
+  /// What a solid texture's block says.
+  struct TextureWords {
+    Matrix toTexture;
+    std::vector<SolidTexture::Part> parts;
+    int octaves = 1;
+    double size = 1, frequency = 0, amplitude = 0;
+    bool hasTransform = false, areIndicesGood = true;
   };
 
   // Sections.
@@ -63,6 +74,13 @@ class SceneBuilder {
   void readMaterialIndex();
   bool checkMaterial(std::string_view owner, const char* at);
 
+  // Solid textures.
+  std::unique_ptr<Material> readTexture();
+  std::unique_ptr<Material> makeTexture(std::string_view owner, const TextureWords& words);
+  bool readTextureTransform(std::string_view owner, TextureWords& words);
+  bool readPart(std::string_view owner, TextureWords& words);
+  bool readOctaves(int& octaves);
+
   // Objects: each returns null where there was a mistake. The scene owns what they return.
   const Object3D* readObject();
   const Object3D* readGroup();
@@ -75,9 +93,9 @@ class SceneBuilder {
   const T* keep(std::unique_ptr<T> object);
   bool isTooDeep();
 
-  // The inside of a Transform.
-  bool readSteps(Matrix& product);
-  bool readStep(Matrix& product);
+  // The inside of a Transform. `allowed` is what may stand there.
+  bool readSteps(Matrix& product, WordList allowed, bool mustInvert);
+  bool readStep(Matrix& product, bool mustInvert);
   const Object3D* readMovedObject(bool areStepsGood);
 
   // Lists: `readItem` reads one counted item, whose name is the current word; `readOther` reads

@@ -5,9 +5,16 @@
 inline constexpr std::string_view kSectionWords[] = {
     "OrthographicCamera", "PerspectiveCamera", "Lights", "Background", "Materials", "Group"};
 inline constexpr std::string_view kLightWords[] = {"DirectionalLight", "PointLight"};
-inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial",      "Material",
-                                                      "BlinnPhongMaterial", "CookTorranceMaterial",
-                                                      "WardMaterial",       "OrenNayarMaterial"};
+inline constexpr std::string_view kMaterialWords[] = {"PhongMaterial",
+                                                      "Material",
+                                                      "BlinnPhongMaterial",
+                                                      "CookTorranceMaterial",
+                                                      "WardMaterial",
+                                                      "OrenNayarMaterial",
+                                                      "Checkerboard",
+                                                      "Noise",
+                                                      "Marble",
+                                                      "Wood"};
 inline constexpr std::string_view kObjectWords[] = {"Group", "Transform", "Sphere",
                                                     "Plane", "Triangle",  "TriangleMesh"};
 /// What may stand in a Group after its count.
@@ -23,8 +30,15 @@ inline constexpr std::string_view kGroupWords[] = {"Group",
                                                    "BlinnPhongMaterial",
                                                    "CookTorranceMaterial",
                                                    "WardMaterial",
-                                                   "OrenNayarMaterial"};
-/// What may stand in a Transform.
+                                                   "OrenNayarMaterial",
+                                                   "Checkerboard",
+                                                   "Noise",
+                                                   "Marble",
+                                                   "Wood"};
+/// What may stand in the Transform of a texture.
+inline constexpr std::string_view kStepWords[] = {"Translate", "Scale",   "UniformScale", "XRotate",
+                                                  "YRotate",   "ZRotate", "Rotate",       "Matrix"};
+/// What may stand in the Transform of an object.
 inline constexpr std::string_view kTransformWords[] = {
     "Translate", "Scale", "UniformScale", "XRotate", "YRotate", "ZRotate",  "Rotate",
     "Matrix",    "Group", "Transform",    "Sphere",  "Plane",   "Triangle", "TriangleMesh"};
@@ -46,6 +60,7 @@ inline constexpr std::string_view kFieldWords[] = {"center",
                                                    "transparentColor",
                                                    "reflectiveColor",
                                                    "indexOfRefraction",
+                                                   "priority",
                                                    "numObjects",
                                                    "radius",
                                                    "normal",
@@ -54,6 +69,10 @@ inline constexpr std::string_view kFieldWords[] = {"center",
                                                    "vertex1",
                                                    "vertex2",
                                                    "obj_file",
+                                                   "materialIndex",
+                                                   "octaves",
+                                                   "frequency",
+                                                   "amplitude",
                                                    "roughness",
                                                    "roughnessX",
                                                    "roughnessY",

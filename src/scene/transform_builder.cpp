@@ -69,14 +69,14 @@ std::string shown(const double* numbers, int count) {
 }
 
 /// What is wrong with a step, or nothing.
-std::string problemOf(const StepKind& kind, const double* n) {
+std::string problemOf(const StepKind& kind, const double* n, bool mustInvert) {
   if (kind.name == "Rotate" && n[0] == 0 && n[1] == 0 && n[2] == 0) {
     return "expected an axis of Rotate that is not zero, found 0 0 0";
   }
   if (kind.name == "Matrix" && !(n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1)) {
     return "expected 0 0 0 1 as the last row of Matrix, found" + shown(n + 12, 4);
   }
-  if (hasInverse(kind.toMatrix(n))) return {};
+  if (!mustInvert || hasInverse(kind.toMatrix(n))) return {};
   return "singular transform: expected a step that can be inverted, found " +
          std::string(kind.name) + shown(n, kind.numbers);
 }
@@ -90,7 +90,7 @@ const Object3D* SceneBuilder::readTransform() {
   if (!in_.openBlock("Transform")) return nullptr;
   ++depth_;
   Matrix matrix;
-  const bool areStepsGood = readSteps(matrix);
+  const bool areStepsGood = readSteps(matrix, kTransformWords, true);
   const Object3D* const object = readMovedObject(areStepsGood);
   --depth_;
   if (!areStepsGood) return nullptr;
@@ -104,21 +104,21 @@ const Object3D* SceneBuilder::readTransform() {
 }
 
 /// Multiplies the steps, the first one leftmost, up to the first word that is none of them.
-bool SceneBuilder::readSteps(Matrix& product) {
+bool SceneBuilder::readSteps(Matrix& product, WordList allowed, bool mustInvert) {
   bool isGood = true;
   for (;;) {
     if (findStep(in_.word())) {
-      isGood &= readStep(product);
+      isGood &= readStep(product, mustInvert);
     } else if (in_.atEnd() || in_.word() == "}" || isBlockWord(in_.word())) {
       return isGood;
     } else {
-      in_.skipUnknown("Transform", kTransformWords);
+      in_.skipUnknown("Transform", allowed);
       isGood = false;
     }
   }
 }
 
-bool SceneBuilder::readStep(Matrix& product) {
+bool SceneBuilder::readStep(Matrix& product, bool mustInvert) {
   const StepKind& kind = *findStep(in_.word());
   const char* const at = in_.at();
   in_.advance();
@@ -133,7 +133,7 @@ bool SceneBuilder::readStep(Matrix& product) {
   }
   if (hasBraces) in_.closeBlock(kind.name);
   if (!isGood) return false;
-  const std::string problem = problemOf(kind, numbers);
+  const std::string problem = problemOf(kind, numbers, mustInvert);
   if (!problem.empty()) {
     in_.report(at, problem);
     return false;

@@ -102,6 +102,8 @@ TEST("every argument of the contract is in the table") {
                            "no_shadows",
                            "transparent_shadows",
                            "shade_back",
+                           "nested_dielectrics",
+                           "fresnel",
                            "epsilon",
                            "threads",
                            "accel",

@@ -2,6 +2,7 @@
 #include "render/optics.h"
 
 #include "random.h"
+#include "shading/fresnel.h"
 #include "vectors.h"
 
 TEST("a mirror keeps the part along the surface and turns the other round") {
@@ -96,4 +97,83 @@ TEST("random mirror directions keep their length and angle") {
     cases.expect(ok, [&] { return check::show(incoming) + " at " + check::show(normal); });
   }
   CHECK_EQUAL(cases.firstFailure(), "");
+}
+
+namespace {
+
+using Real = long double;
+
+double fresnelReflectance(double cosine, float from, float to) {
+  return dielectricReflectance(cosine, double(to) / double(from));
+}
+
+/// Fresnel's equations in their other form, by angles: sin(i - t) / sin(i + t) and
+/// tan(i - t) / tan(i + t).
+Real reflectanceByAngles(Real angle, Real from, Real to) {
+  const Real refracted = std::asin(from / to * std::sin(angle));
+  const Real across = std::sin(angle - refracted) / std::sin(angle + refracted);
+  const Real along = std::tan(angle - refracted) / std::tan(angle + refracted);
+  return (across * across + along * along) / 2;
+}
+
+/// What is transmitted, from the amplitudes of the transmitted wave.
+Real transmittedPart(Real cosine, Real from, Real to) {
+  const Real sine = from / to * std::sqrt(1 - cosine * cosine);
+  const Real inside = std::sqrt(1 - sine * sine);
+  const Real across = 2 * from * cosine / (from * cosine + to * inside);
+  const Real along = 2 * from * cosine / (to * cosine + from * inside);
+  return to * inside / (from * cosine) * (across * across + along * along) / 2;
+}
+
+}  // namespace
+
+TEST("random reflectances equal Fresnel's formula by angles, and with what passes sum to 1") {
+  Random random(73);
+  check::Cases cases;
+  int totals = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const float from = float(random.uniform(1, 3)), to = float(random.uniform(1, 3));
+    const double angle = random.uniform(0.01, 1.55);
+    const double found = fresnelReflectance(std::cos(angle), from, to);
+    const Real sine = Real(from) / Real(to) * std::sin(Real(angle));
+    totals += sine > 1;
+    if (std::fabs(sine - 1) < 1e-6L) continue;  // the angle of total reflection, to its rounding
+    const Real expected = sine > 1 ? 1 : reflectanceByAngles(angle, from, to);
+    const Real passed = sine > 1 ? 0 : transmittedPart(std::cos(Real(angle)), from, to);
+    const bool ok = std::fabs(found - expected) < 1e-11L && std::fabs(found + passed - 1) < 1e-11L;
+    cases.expect(ok, [&] {
+      return check::show(angle) + " from " + check::show(from) + " to " + check::show(to);
+    });
+  }
+  CHECK(totals > 1000);
+  CHECK_EQUAL(cases.firstFailure(), "");
+}
+
+TEST("straight on, the reflectance is ((n1 - n2) / (n1 + n2)) squared") {
+  CHECK_NEAR(fresnelReflectance(1, 1, 1.5f), 0.04, 1e-16);
+  CHECK_NEAR(fresnelReflectance(1, 1.5f, 1), 0.04, 1e-16);
+  CHECK_NEAR(fresnelReflectance(1, 1, 3), 0.25, 1e-16);
+}
+
+TEST("at Brewster's angle only light across the plane of incidence is reflected") {
+  // tan = n: the refracted ray is at a right angle to the mirrored one, and the other half is
+  // ((n^2 - 1) / (n^2 + 1))^2 / 2. For n = 2: cos = 1 / sqrt(5), (3 / 5)^2 / 2.
+  CHECK_NEAR(fresnelReflectance(std::sqrt(0.2), 1, 2), 0.18, 1e-15);
+  CHECK_NEAR(fresnelReflectance(std::sqrt(0.8), 2, 1), 0.18, 1e-15);
+}
+
+TEST("a ray reflects as much on its way back") {
+  // sin 0.8 outside, 0.4 in index 2.
+  const double outside = fresnelReflectance(0.6, 1, 2);
+  CHECK_NEAR(fresnelReflectance(std::sqrt(0.84), 2, 1), outside, 1e-15);
+}
+
+TEST("equal indices reflect nothing, a grazing ray and total reflection everything") {
+  for (double cosine : {0.0, 1e-300, 0.3, 1.0, 1.0000001}) {
+    CHECK_EQUAL(fresnelReflectance(cosine, 1.3f, 1.3f), 0.0);
+  }
+  CHECK_EQUAL(fresnelReflectance(0, 1, 1.5f), 1.0);
+  CHECK_EQUAL(fresnelReflectance(0.6, 2, 1), 1.0);  // sin 0.8 > 0.5
+  CHECK_EQUAL(fresnelReflectance(0.01, 2, 1), 1.0);
+  CHECK(fresnelReflectance(1.0000001, 1, 1.5f) <= 1);
 }

@@ -6,24 +6,57 @@
 
 namespace {
 
-/// Mirrors, glass, lamps of both kinds, a moved ball inside glass.
+/// Mirrors, glass that overlaps, lamps of both kinds, a moved ball inside glass.
 SceneParser hallOfMirrors() {
   return scene_text::parse(R"(
     Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
     Lights { numLights 2
       PointLight { position 3 5 4 color 0.9 0.8 0.7 attenuation 1 0.1 0 }
       DirectionalLight { direction -1 -2 -1 color 0.3 0.4 0.5 } }
-    Materials { numMaterials 3
+    Materials { numMaterials 4
       Material { diffuseColor 0.5 0.4 0.3 reflectiveColor 0.4 0.5 0.6 }
       Material { diffuseColor 0.1 0.1 0.1 transparentColor 0.8 0.7 0.9 indexOfRefraction 1.4
                  reflectiveColor 0.2 0.2 0.2 specularColor 1 1 1 exponent 9 }
-      Material { diffuseColor 0.9 0.2 0.2 } }
-    Group { numObjects 6
+      Material { diffuseColor 0.9 0.2 0.2 }
+      Material { diffuseColor 0.1 0.1 0.2 transparentColor 0.6 0.9 0.8 indexOfRefraction 1.2
+                 priority -1 } }
+    Group { numObjects 8
       MaterialIndex 0 Plane { normal 0 1 0 offset -1 } Plane { normal 0 0 1 offset -4 }
       MaterialIndex 1 Sphere { center 0 0 0 radius 0.9 }
       Triangle { vertex0 -2 -1 1 vertex1 -1 -1 1 vertex2 -1.5 1 0.5 }
       MaterialIndex 2 Transform { Translate 0.3 0 0 Scale 1 0.5 1 Sphere { center 0 0 0 radius 0.3 } }
-      Sphere { center 1.5 -0.4 1 radius 0.5 } })");
+      Sphere { center 1.5 -0.4 1 radius 0.5 }
+      MaterialIndex 3 Sphere { center 0.6 0.3 0 radius 0.7 }
+      Transform { Translate -0.8 0.4 0 Scale 1 0.7 1.2 Sphere { center 0 0 0 radius 0.6 } } })");
+}
+
+/// The same with solid textures: one of plain materials, one of up to four of them, and glass whose
+/// cells differ.
+SceneParser hallOfTextures() {
+  return scene_text::parse(R"(
+    Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
+    Lights { numLights 2
+      PointLight { position 3 5 4 color 0.9 0.8 0.7 attenuation 1 0.1 0 }
+      DirectionalLight { direction -1 -2 -1 color 0.3 0.4 0.5 } }
+    Materials { numMaterials 9
+      Material { diffuseColor 0.5 0.4 0.3 reflectiveColor 0.4 0.5 0.6 }
+      Material { diffuseColor 0.1 0.1 0.1 transparentColor 0.8 0.7 0.9 indexOfRefraction 1.4
+                 reflectiveColor 0.2 0.2 0.2 specularColor 1 1 1 exponent 9 }
+      Material { diffuseColor 0.9 0.2 0.2 }
+      Material { diffuseColor 0 0.1 0 transparentColor 0.3 0.9 0.4 indexOfRefraction 1.2 }
+      Checkerboard { size 0.7 materialIndex 0 materialIndex 2 }
+      Checkerboard { Transform { UniformScale 4 } materialIndex 1 materialIndex 3 }
+      Noise { materialIndex 0 materialIndex 3 octaves 3 }
+      Marble { materialIndex 4 materialIndex 6 octaves 2 frequency 3 amplitude 2 }
+      Wood { materialIndex 1 materialIndex 7 octaves 2 frequency 9 amplitude 2 } }
+    Group { numObjects 7
+      MaterialIndex 4 Plane { normal 0 1 0 offset -1 }
+      MaterialIndex 8 Plane { normal 0 0 1 offset -4 }
+      MaterialIndex 5 Sphere { center 0 0 0 radius 0.9 }
+      MaterialIndex 7 Triangle { vertex0 -2 -1 1 vertex1 -1 -1 1 vertex2 -1.5 1 0.5 }
+      MaterialIndex 2 Transform { Translate 0.3 0 0 Scale 1 0.5 1 Sphere { center 0 0 0 radius 0.3 } }
+      MaterialIndex 6 Sphere { center 1.5 -0.4 1 radius 0.5 }
+      MaterialIndex 0 Sphere { center -1.5 1.5 0 radius 0.5 } })");
 }
 
 RayTracer::TracedRay eyeRay(int i, int size) {
@@ -49,6 +82,7 @@ void compare(const SceneParser& scene, const Object3D& geometry, const RenderOpt
     CHECK(colors[i] == expected);
     CHECK_EQUAL(hits[i].getT(), hit.getT());
     CHECK(hits[i].getObject() == hit.getObject());
+    CHECK(hits[i].getMaterial() == hit.getMaterial());
   }
 }
 
@@ -66,13 +100,72 @@ TEST("a batch of any size has the colours of its rays traced one by one") {
 TEST("a batch obeys every option that changes a colour") {
   const SceneParser scene = hallOfMirrors();
   const CompiledScene compiled(*scene.getGroup(), 1);
-  for (int choice = 0; choice < 16; ++choice) {
+  for (int choice = 0; choice < 64; ++choice) {
     RenderOptions options = scene_text::bouncing(choice % 5);
     options.shadows = (choice & 1) == 0;
     options.transparentShadows = (choice & 2) != 0;
     options.shadeBack = (choice & 4) != 0;
     options.minWeight = (choice & 8) != 0 ? 0.3f : 0.0f;
+    options.nestedDielectrics = (choice & 16) != 0;
+    options.fresnel = (choice & 32) != 0;
     if (choice % 3 == 0) options.epsilon.kind = Epsilon::Kind::adaptive;
+    compare(scene, compiled, options, 256, 0);
+  }
+}
+
+TEST("a batch finds the surfaces behind those that change nothing") {
+  const SceneParser scene = scene_text::parse(R"(
+    Materials { numMaterials 2 Material { transparentColor 1 1 1 indexOfRefraction 1.2 priority 1 }
+      Material { transparentColor 1 1 1 indexOfRefraction 2 } }
+    Group { numObjects 3 MaterialIndex 0 Sphere { center 0 0 0 radius 20 }
+      MaterialIndex 1 Sphere { center 0.3 0 0 radius 0.8 } Sphere { center -0.3 0 1 radius 0.8 } })");
+  RenderOptions options;
+  options.nestedDielectrics = true;
+  const RayTracer tracer(scene, *scene.getGroup(), options);
+  std::vector<RayTracer::TracedRay> rays;
+  for (int i = 0; i < 256; ++i) rays.push_back(eyeRay(i, 16));
+  std::vector<Hit> hits(256), coloredHits(256);
+  std::vector<Vec3f> colors(256);
+  tracer.intersectBatch(rays.data(), 256, hits.data());
+  tracer.traceBatch(rays.data(), 256, 0, coloredHits.data(), colors.data());
+  int passedOver = 0;
+  for (std::size_t i = 0; i < 256; ++i) {
+    Hit first;
+    scene.getGroup()->intersect(rays[i].ray, first, 0);
+    passedOver += first.getT() < 10;
+    CHECK(hits[i].getT() > 20);  // the far side of the outer ball
+    CHECK_EQUAL(coloredHits[i].getT(), hits[i].getT());
+  }
+  CHECK(passedOver > 100);
+}
+
+TEST("the compiled scene and the plain tree give the same colours with every kind of glass") {
+  const SceneParser scene = hallOfMirrors();
+  const CompiledScene compiled(*scene.getGroup(), 1);
+  RenderOptions options = scene_text::bouncing(6);
+  options.nestedDielectrics = options.fresnel = true;
+  const RayTracer fast(scene, compiled, options), tree(scene, *scene.getGroup(), options);
+  for (int i = 0; i < 256; ++i) {
+    Hit a, b;
+    Ray ray = eyeRay(i, 16).ray;
+    CHECK(fast.traceRay(ray, 0, 0, 1, 1, a) == tree.traceRay(ray, 0, 0, 1, 1, b));
+  }
+}
+
+TEST("a batch with textures has the colours of its rays traced one by one") {
+  const SceneParser scene = hallOfTextures();
+  const CompiledScene compiled(*scene.getGroup(), 1);
+  for (const int count : {1, 4, 63, 255, 256}) {
+    compare(scene, compiled, scene_text::bouncing(4), count, 0);
+    compare(scene, *scene.getGroup(), scene_text::bouncing(4), count, 2);
+  }
+  for (int choice = 0; choice < 32; ++choice) {
+    RenderOptions options = scene_text::bouncing(choice % 4);
+    options.transparentShadows = (choice & 1) != 0;
+    options.shadeBack = (choice & 2) != 0;
+    options.nestedDielectrics = (choice & 8) != 0;
+    options.fresnel = (choice & 16) != 0;
+    options.minWeight = (choice & 4) != 0 ? 0.3f : 0.0f;
     compare(scene, compiled, options, 256, 0);
   }
 }

@@ -1,5 +1,6 @@
 // -transparent_shadows: light is multiplied by transparentColor^length inside each transparent
 // object on its way, and once by the colour of an open one.
+#include "accel/compiled_scene.h"
 #include "scene_text.h"
 #include "vectors.h"
 
@@ -48,12 +49,19 @@ Vec3f lightAt(const SceneParser& scene, double x, const Epsilon& epsilon, bool t
   return scene_text::colorTowards(scene, {x + 0.3, 0.4, 0.1}, {x, 0, 0}, options);
 }
 
-/// Checks the light at (x, 0, 0) for both kinds of epsilon.
+/// Checks the light at (x, 0, 0) for both kinds of epsilon, and through the compiled scene.
 void checkLight(const std::string& text, double x, const Vec3d& expected) {
   SceneParser scene = parse(text);
   scene.findClosedMeshes();
   CHECK_NEAR_VECTOR(lightAt(scene, x, kCourse), expected, 1e-6);
   CHECK_NEAR_VECTOR(lightAt(scene, x, kAdaptive), expected, 1e-6);
+  RenderOptions options = scene_text::bouncing(0);
+  options.transparentShadows = true;
+  const CompiledScene compiled(*scene.getGroup(), 1);
+  Ray ray(Vec3d(x + 0.3, 0.4, 0.1), normalize(Vec3d(-0.3, -0.4, -0.1)));
+  Hit hit;
+  const Vec3f fast = RayTracer(scene, compiled, options).traceRay(ray, 0, 0, 1, 1, hit);
+  CHECK_NEAR_VECTOR(fast, expected, 1e-6);
 }
 
 Vec3d glass(double length) { return {std::pow(0.5, length), std::pow(0.25, length), 1}; }
@@ -109,6 +117,30 @@ TEST("a ball in Transforms counts its length in world units") {
                         "Transform { Translate 0 9 0 Scale 1 -2 1"
                         "  Sphere { center 0 0 0 radius 1 } }"),
              0.6, glass(3.2));
+}
+
+TEST("lengths inside are in world units under Transforms within Transforms") {
+  const auto inside = [](const std::string& object) {
+    return underGlass(
+        1, "Transform { Translate 0 9 0 Scale 1 3 1 Transform { ZRotate 45 " + object + " } }");
+  };
+  // An ellipse of half axes 2 and 1, cut at 45 degrees to both: t^2 (1/8 + 1/2) = 1 on either side
+  // of its centre, and the vertical is tripled.
+  const std::string ball = "Transform { Scale 2 1 1 Sphere { center 0 0 0 radius 1 } }";
+  checkLight(inside(ball), 0, glass(6 * std::sqrt(1.6)));
+  // A square of side 2 from corner to corner.
+  const std::string mesh = scene_text::mesh(cubeFile(6));
+  checkLight(inside(mesh), 0, glass(6 * std::sqrt(2.0)));
+  checkLight(inside("Transform { Scale 1 1 5 Group { numObjects 1 " + mesh + " } }"), 0.25,
+             glass(3 * (2 * std::sqrt(2.0) - 0.5)));  // |x| + |y| = sqrt(2) around the corner
+}
+
+TEST("a ball inside a closed mesh that overlaps another ball: each multiplies on its own") {
+  const std::string mesh = scene_text::mesh(cubeFile(6));
+  const std::string objects = "Transform { Translate 0 5 0 Scale 1 2 1 " + mesh +
+                              " } MaterialIndex 2 Sphere { center 0 4.5 0 radius 0.5 }"
+                              "  Sphere { center 0 7 0 radius 1 }";
+  checkLight(underGlass(3, objects), 0, glass(4) * otherGlass(1) * otherGlass(2));
 }
 
 TEST("a closed mesh dims by length, also where the light goes through its edges") {

@@ -145,6 +145,10 @@ TEST("values out of their range are named") {
   CHECK_MISTAKE(kCamera + "Lights { numLights 1 DirectionalLight { direction 0 0 0 color 1 1 1 } }",
                 2, "direction that is not zero");
   CHECK_EQUAL(mistakeIn(around("Material { exponent 0 } " + kSphere)), "none");
+  CHECK_MISTAKE(around("Material { priority 1.5 }"), 5,
+                "expected a whole number for priority, found '1.5'");
+  CHECK_MISTAKE(around("Material { priority 2147483648 }"), 5, "'2147483648'");
+  CHECK_MISTAKE(around("Material { prioritty 1 }"), 5, "'priority'");
 }
 
 TEST("cameras are checked") {

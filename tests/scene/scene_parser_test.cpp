@@ -128,6 +128,15 @@ TEST("materials take their fields in any order, the last of a name holding") {
   CHECK_EQUAL(plain.getIndexOfRefraction(), 1.0f);
 }
 
+TEST("a material has the priority given, or 0") {
+  const auto scene = parse(kStart.substr(0, kStart.find("Materials")) +
+                           "Materials { numMaterials 3 Material { priority -7 } Material { }"
+                           "  PhongMaterial { exponent 2 priority 2147483647 } }");
+  CHECK_EQUAL(scene->getMaterial(0)->getPriority(), -7);
+  CHECK_EQUAL(scene->getMaterial(1)->getPriority(), 0);
+  CHECK_EQUAL(scene->getMaterial(2)->getPriority(), 2147483647);
+}
+
 TEST("objects are read in order, with comments and glued braces anywhere") {
   const auto scene =
       parse("\xEF\xBB\xBF# title\r\n" + kStart +

@@ -92,6 +92,33 @@ Mesh goblet() {
       20);
 }
 
+/// Adds to `profile` an upright ellipse about (0, 1.7), of half axes `across` and `along`, from the
+/// angle `from` to `to` in degrees, measured from the horizontal.
+void addBowl(std::vector<ProfilePoint>& profile, double across, double along, int from, int to) {
+  const int steps = 20;
+  for (int k = 0; k <= steps; ++k) {
+    const double angle = (from + (to - from) * double(k) / steps) * kPi / 180;
+    profile.push_back({across * std::cos(angle), 1.7 + along * std::sin(angle), 0});
+  }
+}
+
+/// A plain wine glass with a wall 0.05 thick.
+Mesh wineGlass() {
+  std::vector<ProfilePoint> profile = {{0.5, 0, 0},     {0.5, 0.03, 0},   {0.3, 0.07, 0},
+                                       {0.12, 0.13, 0}, {0.055, 0.25, 0}, {0.045, 0.5, 0},
+                                       {0.05, 0.8, 0}};
+  addBowl(profile, 0.6, 0.75, -84, 40);
+  addBowl(profile, 0.55, 0.7, 40, -87);
+  return lathe(profile, 64);
+}
+
+/// What fills it to half its height, and reaches halfway into the wall.
+Mesh wine() {
+  std::vector<ProfilePoint> profile;
+  addBowl(profile, 0.575, 0.725, -87, 4);
+  return lathe(profile, 64);
+}
+
 /// A vase whose wall turns as it rises, hollow, with a lip.
 Mesh vase() {
   const std::vector<std::pair<double, double>> outside = {
@@ -249,6 +276,8 @@ void writeAll(const std::string& folder) {
   solid("icosphere.obj", "a ball of 320 triangles, radius 1", icosphere(2));
   solid("brilliant.obj", "a brilliant-cut gem, girdle radius 1, table up", brilliant());
   solid("goblet.obj", "a cut-glass goblet, 2.42 high, standing on y = 0", goblet());
+  solid("wine_glass.obj", "a wine glass, 2.18 high, standing on y = 0", wineGlass());
+  solid("wine.obj", "the wine in wine_glass.obj, reaching into its wall", wine());
   solid("vase.obj", "a turned vase with walls, 2.82 high, standing on y = 0", vase());
   solid("twisted_prism.obj", "a twisted column, 2 high, standing on y = 0", twistedPrism());
   solid("terrain.obj", "hills over x, z in [-2, 2], base at y = -1", terrain(40));

@@ -1,0 +1,27 @@
+// Gradient noise in space: the same bits everywhere, for every point that a double can name.
+// Source: Perlin, "Improving Noise", 2002, with the permutation published there.
+#pragma once
+#include <cstdint>
+
+#include "math/vec3.h"
+
+namespace math {
+
+/// floor(x) modulo 2^bits, 0 <= bits <= 8, exact and never negative for every finite x; 0 for
+/// infinities and NaN.
+int floorBits(double x, int bits);
+
+/// Improved noise: smooth, 0 at every point with whole coordinates, its size at most 1.04, repeated
+/// every 256 units along each axis. Doubles from 2^52 on are whole, so the noise is 0 there; it is
+/// 0 where a coordinate is infinite or NaN.
+double noise(const Vec3d& p);
+
+/// The most octaves that fractalNoise sums. Further ones, each half as strong, would add less than
+/// a float can tell.
+inline constexpr int kMaxOctaves = 32;
+
+/// noise(p) + noise(2 p) / 2 + noise(4 p) / 4 ..., `octaves` terms, 1..kMaxOctaves: always finite,
+/// its size below 2.1.
+double fractalNoise(const Vec3d& p, int octaves);
+
+}  // namespace math

@@ -1,0 +1,160 @@
+// Media: gathers all crossings, then sweeps along the line.
+#include "render/media.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <tuple>
+
+#include "math/functions.h"
+#include "render/transmittance.h"
+#include "shading/solid_texture.h"
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// How a crossing counts in the number of times that an object is left.
+int countOf(const Crossing& crossing) { return crossing.leaving ? 1 : -1; }
+
+std::tuple<float, float, float, float> opticsOf(const Material& material) {
+  const Vec3f color = material.getTransparentColor();
+  return {material.getIndexOfRefraction(), color.r(), color.g(), color.b()};
+}
+
+}  // namespace
+
+Media::Media(const Object3D& geometry, const Ray& line) {
+  geometry.visitCrossings(line, *this);
+  std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
+    if (a.object != b.object) return std::less<>()(a.object, b.object);
+    return std::make_tuple(a.t, a.leaving) < std::make_tuple(b.t, b.leaving);
+  });
+  std::vector<Stay> stays;
+  for (Place first = crossings_.begin(); first != crossings_.end();) {
+    const Place last = endOfObject(first);
+    const std::vector<Stay> found = staysIn(first, last);
+    stays.insert(stays.end(), found.begin(), found.end());
+    first = last;
+  }
+  findLayers(stays);
+}
+
+void Media::visit(const Crossing& crossing) {
+  if (!crossing.closed || !anyPositive(crossing.material->getTransparentColor())) return;
+  crossings_.push_back(crossing);
+}
+
+Media::Place Media::endOfObject(Place first) const {
+  return std::find_if(first, crossings_.end(),
+                      [&](const Crossing& c) { return c.object != first->object; });
+}
+
+/// From the last crossing backwards, as nothing contains the line's far end. A mesh that is inside
+/// out counts with the other sign.
+std::vector<Media::Stay> Media::staysIn(Place first, Place last) {
+  const Medium medium = {first->object, first->material};
+  std::vector<Stay> stays;
+  double to = kInf;
+  int count = 0;
+  while (last != first) {
+    const Crossing& crossing = *--last;
+    const int behind = count;
+    count += countOf(crossing);
+    if (behind == 0) to = crossing.t;
+    if (count == 0) stays.push_back({medium, crossing.t, to});
+  }
+  if (count != 0) stays.push_back({medium, -kInf, to});
+  return stays;
+}
+
+/// What is the same to the eye may come in any order, which no picture can show.
+bool Media::isStronger(const Stay& a, const Stay& b) {
+  const Material& first = *a.medium.material;
+  const Material& second = *b.medium.material;
+  const int priorityA = first.getPriority(), priorityB = second.getPriority();
+  if (priorityA != priorityB) return priorityA > priorityB;
+  if (a.to != b.to) return a.to < b.to;
+  if (a.from != b.from) return a.from > b.from;
+  const auto opticsA = opticsOf(first), opticsB = opticsOf(second);
+  return opticsA != opticsB ? opticsA < opticsB : std::less<>()(a.medium.object, b.medium.object);
+}
+
+void Media::findLayers(const std::vector<Stay>& stays) {
+  struct End {
+    double t;
+    const Stay* stay;
+    bool isEntered;
+  };
+  std::vector<End> ends;
+  for (const Stay& stay : stays) {
+    ends.push_back({stay.from, &stay, true});
+    ends.push_back({stay.to, &stay, false});
+  }
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.t < b.t; });
+  const auto stronger = [](const Stay* a, const Stay* b) { return isStronger(*a, *b); };
+  std::set<const Stay*, decltype(stronger)> around(stronger);
+  for (const End& end : ends) {
+    if (end.isEntered) {
+      around.insert(end.stay);
+    } else {
+      around.erase(end.stay);
+    }
+    layers_.push_back({end.t, around.empty() ? Medium() : (*around.begin())->medium});
+  }
+}
+
+Media::Medium Media::mediumAt(double t) const {
+  const auto next =
+      std::upper_bound(layers_.begin(), layers_.end(), t,
+                       [](double value, const Layer& layer) { return value < layer.from; });
+  return next == layers_.begin() ? Medium() : std::prev(next)->medium;
+}
+
+bool Media::isClosed(const Object3D* object) const {
+  const auto less = [](const Crossing& crossing, const Object3D* wanted) {
+    return std::less<>()(crossing.object, wanted);
+  };
+  const auto found = std::lower_bound(crossings_.begin(), crossings_.end(), object, less);
+  return found != crossings_.end() && found->object == object;
+}
+
+Vec3f Media::tintOfAll(double t, const Vec3d& end, double length) const {
+  std::vector<Vec3f> tints;
+  for (Place first = crossings_.begin(); first != crossings_.end();) {
+    const Place last = endOfObject(first);
+    int count = 0;
+    for (Place c = first; c != last; ++c) count += c->t > t ? countOf(*c) : 0;
+    const Vec3f color = transparencyAt(*first->material, end);
+    if (count != 0) tints.push_back(absorption(color, std::abs(count) * length));
+    first = last;
+  }
+  // Multiplied in an order that does not depend on the order of visits.
+  std::sort(tints.begin(), tints.end(), [](const Vec3f& a, const Vec3f& b) {
+    return std::make_tuple(a.r(), a.g(), a.b()) < std::make_tuple(b.r(), b.g(), b.b());
+  });
+  Vec3f product(1, 1, 1);
+  for (const Vec3f& tint : tints) product *= tint;
+  return product;
+}
+
+float Media::Medium::indexAt(const Vec3d& point) const {
+  if (!material) return 1;
+  const SolidTexture* const texture = material->asTexture();
+  if (!texture) return material->getIndexOfRefraction();
+  double sum = 0, weights = 0;
+  for (const WeightedMaterial& part : texture->partsAt(point)) {
+    if (!anyPositive(part.material->getTransparentColor())) continue;
+    sum += part.weight * double(part.material->getIndexOfRefraction());
+    weights += part.weight;
+  }
+  return weights > 0 ? float(sum / weights) : material->getIndexOfRefraction();
+}
+
+Vec3f absorption(const Vec3f& transparentColor, double length) {
+  Vec3f result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = float(math::pow(std::max(transparentColor[axis], 0.0f), length));
+  }
+  return result;
+}

@@ -1,0 +1,67 @@
+// Media: which closed transparent objects a straight line runs through, and where.
+// A place is inside a closed object where the line beyond it leaves the object more often than it
+// enters it. So nothing need be remembered of the way that led there, and a line may begin
+// anywhere: inside objects as well.
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "geometry/object3d.h"
+#include "shading/material.h"
+
+class Media : private CrossingVisitor {
+ public:
+  /// What fills a place; both are null outside of all objects. Not owned.
+  struct Medium {
+    const Object3D* object = nullptr;
+    const Material* material = nullptr;
+
+    /// The index of refraction near a point of the world: 1 outside; of a texture the mean of its
+    /// transparent parts' there.
+    float indexAt(const Vec3d& point) const;
+  };
+
+  /// Finds what `line`, whose direction is a unit vector, meets at t > 0. Time n log n and memory n
+  /// for n crossings.
+  Media(const Object3D& geometry, const Ray& line);
+
+  /// What fills the place at parameter t: of all objects around it the one whose material has the
+  /// largest priority; of several such the one that the line leaves first, which is the innermost
+  /// where one stands inside another; of those left at the same t, the one entered last.
+  /// Source: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images", 2002.
+  Medium mediumAt(double t) const;
+
+  /// True when the line meets `object`, and it is closed and transparent.
+  bool isClosed(const Object3D* object) const;
+
+  /// What is left of light after `length` >= 0 around parameter t, where no surface is near: the
+  /// product of transparentColor^length over all objects around, each on its own. A texture has its
+  /// colour of the point `end` all the way.
+  Vec3f tintOfAll(double t, const Vec3d& end, double length) const;
+
+ private:
+  /// A stretch of the line inside one object.
+  struct Stay {
+    Medium medium;
+    double from, to;
+  };
+  /// From t = `from` on, up to the next layer, `medium` fills the line.
+  struct Layer {
+    double from;
+    Medium medium;
+  };
+  using Place = std::vector<Crossing>::const_iterator;
+
+  void visit(const Crossing& crossing) override;
+  /// Behind the last crossing of the object of `first`.
+  Place endOfObject(Place first) const;
+  static std::vector<Stay> staysIn(Place first, Place last);
+  static bool isStronger(const Stay& a, const Stay& b);
+  void findLayers(const std::vector<Stay>& stays);
+
+  std::vector<Crossing> crossings_;  // of closed transparent objects, by object and then by t
+  std::vector<Layer> layers_;        // in ascending order; outside before the first
+};
+
+/// transparentColor^length in each component, negative ones taken as 0; length >= 0.
+Vec3f absorption(const Vec3f& transparentColor, double length);

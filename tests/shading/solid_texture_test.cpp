@@ -1,0 +1,308 @@
+// Solid textures: what they are made of at a point, against their formulas, and textures of
+// textures against the definition that splits each of them in two.
+#include "shading/solid_texture.h"
+
+#include <limits>
+#include <memory>
+
+#include "check.h"
+#include "math/functions.h"
+#include "math/noise.h"
+#include "random.h"
+#include "shading/checkerboard.h"
+#include "shading/marble.h"
+#include "shading/noise.h"
+#include "shading/phong_material.h"
+#include "shading/wood.h"
+#include "vectors.h"
+
+namespace {
+
+using Part = SolidTexture::Part;
+
+PhongMaterial plain(const Vec3f& diffuse) {
+  return PhongMaterial(diffuse, Vec3f(), 1, Vec3f(), Vec3f(), 1);
+}
+
+/// Two materials to make textures of.
+struct Pair {
+  PhongMaterial black = plain({0, 0, 0}), white = plain({1, 1, 1});
+  Part first{&black, 0}, second{&white, 1};
+};
+
+/// The weight of a material in a texture; 0 where it has no part.
+double weightOf(const Material& material, const SolidTexture& texture, const Vec3d& point) {
+  double weight = 0;
+  for (const WeightedMaterial& part : texture.partsAt(point)) {
+    if (part.material == &material) weight += part.weight;
+  }
+  return weight;
+}
+
+}  // namespace
+
+TEST("a checkerboard is of one material in each cube, by the parity of its floors") {
+  const Pair pair;
+  const Checkerboard board(Matrix(), pair.first, pair.second);
+  const auto isSecond = [&](const Vec3d& p) {
+    const auto parts = board.partsAt(p);
+    CHECK_EQUAL(parts.size(), std::size_t(1));
+    CHECK_EQUAL(parts[0].weight, 1.0);
+    return parts[0].material == &pair.white;
+  };
+  CHECK(!isSecond({0.5, 0.5, 0.5}));
+  CHECK(isSecond({1.5, 0.5, 0.5}) && isSecond({0.5, 1.5, 0.5}) && isSecond({0.5, 0.5, 1.5}));
+  CHECK(!isSecond({1.5, 1.5, 0.5}) && isSecond({1.5, 1.5, 1.5}));
+  CHECK(isSecond({-0.5, 0.5, 0.5}) && !isSecond({-0.5, 0.5, -0.5}) && !isSecond({-1.5, 0.5, 0.5}));
+  CHECK(!isSecond({0, 0, 0}) && isSecond({1, 0, 0}) && isSecond({-1e-9, 0, 0}));
+  // 2^53 - 1 is odd; from 2^53 on all doubles are even.
+  CHECK(isSecond({0x1p53 - 1, 0, 0}) && !isSecond({0x1p53, 0, 0}) && !isSecond({-1e300, 0, 0}));
+}
+
+TEST("the cubes of a checkerboard have the side that is asked for, in the texture's space") {
+  const Pair pair;
+  const Checkerboard large(Matrix(), pair.first, pair.second, 2.5);
+  CHECK_EQUAL(weightOf(pair.white, large, {2.4, 1, 1}), 0.0);
+  CHECK_EQUAL(weightOf(pair.white, large, {2.6, 1, 1}), 1.0);
+  // p' = M p: a scale of 2 makes cubes half as large.
+  const Checkerboard scaled(Matrix::scale({2, 2, 2}), pair.first, pair.second);
+  CHECK_EQUAL(weightOf(pair.white, scaled, {0.4, 0.1, 0.1}), 0.0);
+  CHECK_EQUAL(weightOf(pair.white, scaled, {0.6, 0.1, 0.1}), 1.0);
+  // M first scales, then moves by 1: x = 0.1 comes to 1.2.
+  const Matrix moved = Matrix::translation({1, 0, 0}) * Matrix::scale({2, 2, 2});
+  CHECK_EQUAL(weightOf(pair.white, Checkerboard(moved, pair.first, pair.second), {0.1, 0, 0}), 1.0);
+}
+
+TEST("a texture under a singular map forgets a coordinate") {
+  const Pair pair;
+  const Checkerboard flat(Matrix::scale({1, 0, 1}), pair.first, pair.second);
+  for (const double y : {-1e-9, 0.0, 1.5, -7.5}) {
+    CHECK_EQUAL(weightOf(pair.white, flat, {0.5, y, 0.5}), 0.0);
+    CHECK_EQUAL(weightOf(pair.white, flat, {1.5, y, 0.5}), 1.0);
+  }
+}
+
+TEST("noise, marble and wood have the weights of their formulas") {
+  const Pair pair;
+  Random random(911);
+  check::Cases cases;
+  for (int i = 0; i < 3000; ++i) {
+    const int octaves = 1 + random.index(6);
+    const double frequency = random.uniform(-9, 9), amplitude = random.uniform(-9, 9);
+    const Matrix matrix = Matrix::translation(random.inCube(-5, 5)) *
+                          Matrix::rotation(random.unitVector(), random.uniform(0, 360)) *
+                          Matrix::scale(random.inCube(0.1, 3));
+    const Vec3d point = random.inCube(-10, 10), p = matrix.transformPoint(point);
+    long double n = 0;
+    for (int k = 0; k < octaves; ++k) n += math::noise(p * std::ldexp(1.0, k)) / std::ldexp(1.0, k);
+    const long double radius = std::sqrt((long double)(p.x()) * p.x() + p.z() * p.z());
+    const long double expected[] = {
+        std::min(std::max((1 + n) / 2, 0.0L), 1.0L),
+        (1 + std::sin(frequency * (long double)(p.x()) + amplitude * n)) / 2,
+        (1 + std::sin(frequency * radius + amplitude * n)) / 2};
+    const Noise noise(matrix, pair.first, pair.second, octaves);
+    const Marble marble(matrix, pair.first, pair.second, octaves, frequency, amplitude);
+    const Wood wood(matrix, pair.first, pair.second, octaves, frequency, amplitude);
+    const SolidTexture* const textures[] = {&noise, &marble, &wood};
+    for (int kind = 0; kind < 3; ++kind) {
+      const double white = weightOf(pair.white, *textures[kind], point);
+      const double black = weightOf(pair.black, *textures[kind], point);
+      cases.expect(
+          std::fabs(white - double(expected[kind])) < 1e-12 && std::fabs(black + white - 1) < 1e-15,
+          [&] {
+            return "kind " + check::show(kind) + " at " + check::show(p) + ": " +
+                   check::show(white);
+          });
+    }
+  }
+  CHECK_EQUAL(cases.firstFailure(), "");
+}
+
+TEST("a weight below 0 counts as 0, above 1 as 1, and NaN as 0") {
+  class Fixed : public SolidTexture {
+   public:
+    Fixed(const Pair& pair, double weight)
+        : SolidTexture(Matrix(), pair.first, pair.second), weight_(weight) {}
+
+   private:
+    double weightOfSecond(const Vec3d&) const override { return weight_; }
+    double weight_;
+  };
+  const Pair pair;
+  for (const double weight : {-0.5, -1e300, std::nan(""), 0.0}) {
+    const auto parts = Fixed(pair, weight).partsAt({0, 0, 0});
+    CHECK_EQUAL(parts.size(), std::size_t(1));
+    CHECK(parts[0].material == &pair.black && parts[0].weight == 1);
+  }
+  for (const double weight : {1.0, 1.5, 1e300}) {
+    const auto parts = Fixed(pair, weight).partsAt({0, 0, 0});
+    CHECK_EQUAL(parts.size(), std::size_t(1));
+    CHECK(parts[0].material == &pair.white && parts[0].weight == 1);
+  }
+  CHECK_EQUAL(weightOf(pair.white, Fixed(pair, 0.25), {0, 0, 0}), 0.25);
+}
+
+TEST("marble runs across x and wood around y, exactly at whole points, where the noise is 0") {
+  const Pair pair;
+  const double quarter = math::kPi / 2;
+  const Marble marble(Matrix(), pair.first, pair.second, 3, quarter, 100);
+  const Wood wood(Matrix(), pair.first, pair.second, 3, quarter, 100);
+  // sin(0), sin(pi/2), sin(pi), sin(3 pi/2), whatever the other coordinates are.
+  CHECK_NEAR(weightOf(pair.white, marble, {0, 7, 3}), 0.5, 1e-15);
+  CHECK_NEAR(weightOf(pair.white, marble, {1, -2, 5}), 1.0, 1e-15);
+  CHECK_NEAR(weightOf(pair.white, marble, {2, 1, 1}), 0.5, 1e-15);
+  CHECK_NEAR(weightOf(pair.white, marble, {3, 1, 1}), 0.0, 1e-15);
+  // Radius 5, as 3 and 4 are: sin(5 pi/2) = 1.
+  CHECK_NEAR(weightOf(pair.white, wood, {3, 8, 4}), 1.0, 1e-15);
+  CHECK_NEAR(weightOf(pair.white, wood, {0, 1, -3}), 0.0, 1e-15);
+  CHECK_NEAR(weightOf(pair.white, wood, {0, 1, 0}), 0.5, 1e-15);
+}
+
+TEST("points beyond all bounds are of the first material, or of both where the noise fades out") {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const Pair pair;
+  const Checkerboard board(Matrix(), pair.first, pair.second, 1e-300);
+  const Noise noise(Matrix(), pair.first, pair.second, 32);
+  const Marble marble(Matrix(), pair.first, pair.second, 32, 1e300, 1e300);
+  const Wood wood(Matrix(), pair.first, pair.second, 32, 1e300, 1e300);
+  for (const double x : {1e300, -1e300, kLargest, kInf, std::nan("")}) {
+    CHECK_EQUAL(weightOf(pair.black, board, {x, -x, x}), 1.0);
+    CHECK_EQUAL(weightOf(pair.black, noise, {x, -x, x}), 0.5);
+    CHECK_EQUAL(weightOf(pair.black, marble, {x, -x, x}), 1.0);
+    CHECK_EQUAL(weightOf(pair.black, wood, {x, -x, x}), 1.0);
+  }
+}
+
+TEST("parts that are equal are one, with all their weight") {
+  const Pair pair;
+  const Noise same(Matrix(), pair.first, pair.first, 5);
+  const auto parts = same.partsAt({0.3, 0.4, 0.7});
+  CHECK_EQUAL(parts.size(), std::size_t(1));
+  CHECK_EQUAL(parts[0].weight, 1.0);
+  // A texture of one material twice changes no bit of the weights above it.
+  const Noise direct(Matrix(), pair.first, pair.second, 5);
+  const Noise twice(Matrix(), pair.second, pair.second, 3);
+  const Noise outer(Matrix(), pair.first, {&twice, 2}, 5);
+  Random random(913);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d p = random.inCube(-9, 9);
+    CHECK_EQUAL(weightOf(pair.white, outer, p), weightOf(pair.white, direct, p));
+  }
+  // At whole points every noise is a half: b = (black + white) / 2, c = (b + black) / 2.
+  const Noise b(Matrix(), pair.first, pair.second, 5);
+  const Noise c(Matrix(), {&b, 2}, pair.first, 5);
+  CHECK_EQUAL(c.partsAt({1, 2, 3}).size(), std::size_t(2));
+  CHECK_EQUAL(weightOf(pair.black, c, {1, 2, 3}), 0.75);
+  CHECK_EQUAL(weightOf(pair.white, c, {1, 2, 3}), 0.25);
+}
+
+namespace {
+
+/// By the definition: each texture is split in two, however often it comes.
+void splitInTwo(const Material& material, const std::vector<std::unique_ptr<Noise>>& noises,
+                const std::vector<std::pair<int, int>>& halves,
+                const std::vector<PhongMaterial>& leaves, const Vec3d& p, long double weight,
+                std::vector<long double>& sums) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (&leaves[i] == &material) sums[i] += weight;
+  }
+  for (std::size_t i = 0; i < noises.size(); ++i) {
+    if (noises[i].get() != &material) continue;
+    const long double second = (1 + (long double)(math::fractalNoise(p, 1 + int(i) % 3))) / 2;
+    const auto at = [&](int place) -> const Material& {
+      if (place < int(leaves.size())) return leaves[std::size_t(place)];
+      return *noises[std::size_t(place) - leaves.size()];
+    };
+    splitInTwo(at(halves[i].first), noises, halves, leaves, p, weight * (1 - second), sums);
+    splitInTwo(at(halves[i].second), noises, halves, leaves, p, weight * second, sums);
+  }
+}
+
+}  // namespace
+
+TEST("random textures of textures come down to what splitting each of them in two gives") {
+  Random random(912);
+  check::Cases cases;
+  const std::vector<PhongMaterial> leaves(3, plain({1, 1, 1}));
+  for (int round = 0; round < 100; ++round) {
+    std::vector<std::unique_ptr<Noise>> noises;
+    std::vector<std::pair<int, int>> halves;
+    const auto part = [&](int place) {
+      const bool isLeaf = place < 3;
+      const Material* material = isLeaf ? static_cast<const Material*>(&leaves[std::size_t(place)])
+                                        : noises[std::size_t(place) - 3].get();
+      return Part{material, std::size_t(place)};
+    };
+    for (int i = 0; i < 8; ++i) {
+      const int a = random.index(3 + i), b = random.index(3 + i);
+      halves.push_back({a, b});
+      noises.push_back(std::make_unique<Noise>(Matrix(), part(a), part(b), 1 + i % 3));
+    }
+    const Vec3d p = random.inCube(-9, 9);
+    std::vector<long double> expected(3, 0);
+    splitInTwo(*noises.back(), noises, halves, leaves, p, 1, expected);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double found = weightOf(leaves[i], *noises.back(), p);
+      cases.expect(std::fabs(found - double(expected[i])) < 1e-14,
+                   [&] { return "round " + check::show(round) + ": " + check::show(found); });
+    }
+    const auto parts = noises.back()->partsAt(p);
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      cases.expect(parts[i - 1].material > parts[i].material, [] { return "order of places"; });
+    }
+  }
+  CHECK_EQUAL(cases.firstFailure(), "");
+}
+
+TEST("a hundred thousand textures, each of the two before it, come down to two parts at once") {
+  const Pair pair;
+  std::vector<std::unique_ptr<Noise>> noises;
+  std::vector<Part> parts = {pair.first, pair.second};
+  for (std::size_t i = 2; i < 100000; ++i) {
+    noises.push_back(std::make_unique<Noise>(Matrix(), parts[i - 1], parts[i - 2], 1));
+    parts.push_back({noises.back().get(), i});
+  }
+  const auto found = noises.back()->partsAt({1, 2, 3});
+  // With halves throughout, the share that reaches place 1 is s(1) = 2/3: from above, the weight
+  // that passes place k is 1/2 of that at k + 1 and 1/2 of that at k + 2, which tends to 2/3; of
+  // what passes place 2 (2/3) half goes to 1 and half to 0, and of place 3 (2/3) half goes to 1.
+  CHECK_EQUAL(found.size(), std::size_t(2));
+  CHECK(found[0].material == &pair.white && found[1].material == &pair.black);
+  CHECK_NEAR(found[0].weight, 2 / 3.0, 1e-12);
+  CHECK_NEAR(found[1].weight, 1 / 3.0, 1e-12);
+}
+
+TEST("a deep chain of halves fades into its plain materials") {
+  // Every texture is half of the next one below and half a plain material of its own.
+  constexpr std::size_t kLevels = 3000;
+  std::vector<PhongMaterial> leaves(kLevels + 1, plain({1, 1, 1}));
+  std::vector<std::unique_ptr<Noise>> noises;
+  Part below{&leaves[0], 0};
+  for (std::size_t i = 1; i <= kLevels; ++i) {
+    noises.push_back(std::make_unique<Noise>(Matrix(), below, Part{&leaves[i], 2 * i}, 1));
+    below = {noises.back().get(), 2 * i + 1};
+  }
+  const auto parts = noises.back()->partsAt({0, 0, 0});
+  CHECK(parts.size() > 1000 && parts.size() < 1080);  // 2^-1074 is the least double
+  double expected = 0.5;
+  for (std::size_t i = 0; i < 1000; ++i, expected /= 2) {
+    CHECK(parts[i].material == &leaves[kLevels - i]);
+    CHECK_EQUAL(parts[i].weight, expected);
+  }
+}
+
+TEST("a texture sends back the mean of its parts' light, and has the largest of their colours") {
+  const PhongMaterial red({1, 0, 0.5f}, {0, 0, 0}, 1, {0.1f, 0.5f, 0}, {0.3f, 0, 0}, 1.5f);
+  const PhongMaterial blue({0, 0, 1}, {0, 0, 0}, 1, {0.2f, 0, 0}, {0, 0.4f, 0}, 2);
+  const Noise inner(Matrix(), {&red, 0}, {&blue, 1}, 1), noise(Matrix(), {&red, 0}, {&inner, 2}, 1);
+  CHECK_EQUAL(noise.getDiffuseColor(), Vec3f(1, 0, 1));
+  CHECK_EQUAL(noise.getTransparentColor(), Vec3f(0.2f, 0.5f, 0));
+  CHECK_EQUAL(noise.getReflectiveColor(), Vec3f(0.3f, 0.4f, 0));
+  CHECK(noise.asTexture() == &noise && !red.asTexture());
+  // Halves at the whole point (0, 0, 0): three quarters red, one quarter blue.
+  const Ray ray({0, 5, 0}, {0, -1, 0});
+  Hit hit;
+  hit.set(5, &noise, {0, 1, 0}, ray);
+  CHECK_NEAR_VECTOR(noise.Shade(ray, hit, {0, 1, 0}, {1, 1, 1}), Vec3d(0.75, 0, 0.625), 1e-7);
+}
