@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accel/compiled_scene.h"
+#include "accel/grid_frame.h"
 #include "render/render_options.h"
 
 /// A mistake in the command line: what() says what was expected and what was found.
@@ -27,7 +28,14 @@ struct GivenOption {
 struct Options {
   enum class Accel {
     fast,  ///< whatever is quickest
-    tree   ///< the plain object tree, for checking
+    tree,  ///< the plain object tree, for checking
+    grid   ///< a uniform grid of gridSize cells
+  };
+  /// Cells of the grid drawn in place of the scene.
+  enum class GridPicture {
+    none,   ///< the scene itself
+    cells,  ///< occupied cells in white
+    counts  ///< in colours that tell how many objects they hold
   };
 
   std::string input;  ///< scene file; "-" is standard input
@@ -47,7 +55,9 @@ struct Options {
   RenderOptions render;
   int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
   Accel accel = Accel::fast;
-  SimdLevel simd = SimdLevel::automatic;  ///< the best that is wanted
+  GridSize gridSize{1, 1, 1};                   ///< with Accel::grid; at most kMaxGridCells cells
+  GridPicture gridPicture = GridPicture::none;  ///< anything else only with Accel::grid
+  SimdLevel simd = SimdLevel::automatic;        ///< the best that is wanted
 
   std::string checkpoint;  ///< where finished parts are kept; empty = nowhere
   /// All arguments, each name once: the last of equal ones, in the order in which these came.

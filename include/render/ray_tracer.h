@@ -6,6 +6,7 @@
 
 #include "geometry/object3d.h"
 #include "render/passage.h"
+#include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
 
@@ -18,6 +19,10 @@ class RayTracer {
   RayTracer(SceneParser* s, int max_bounces, float min_weight);
   /// Asks `geometry` (a compiled scene, or the scene's group) what a ray hits. Neither is owned.
   RayTracer(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options);
+
+  /// A tracer that does the same, asks `geometry` and tells `observer` of it; nothing is reported
+  /// where that is null. Neither is owned. Both may be one thread's own.
+  RayTracer watchedBy(RayObserver* observer, const Object3D& geometry) const;
 
   /// The colour that arrives along `ray` from the nearest surface with t > tmin, or the background.
   /// `bounces` secondary rays came before this one (0 for an eye ray), `weight` is the part that
@@ -42,7 +47,7 @@ class RayTracer {
   /// `count` hits, passed in fresh; there what was hit is stored.
   void traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits, Vec3f* colors) const;
 
-  /// Finds what the same rays hit, and no colours. Surfaces that change nothing, as
+  /// Finds what `count` eye rays hit, and no colours. Surfaces that change nothing, as
   /// RenderOptions::nestedDielectrics has them, are passed over here as well.
   void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
 
@@ -80,6 +85,8 @@ class RayTracer {
   Vec3f mirrorFactor(const Ray& ray, const Hit& hit, const Passage& passage) const;
   Vec3f refractedFactor(const Ray& ray, const Hit& hit, const Passage& passage) const;
   Vec3d follow(std::optional<TracedRay> next, int bounces) const;
+  /// `next`, told of as a ray that begins after `bounces` others.
+  TracedRay begun(RayKind kind, const TracedRay& next, int bounces) const;
 
   /// Finds what lies on both sides of `hit`, the nearest with t < tmax. Where the surface is inside
   /// a medium of higher priority and changes nothing, moves `hit` on to the nearest behind it that
@@ -89,10 +96,17 @@ class RayTracer {
   bool wantsMedia(const Hit& hit) const;
   double reachOf(const Hit& hit) const;
 
-  bool mayTrace(const Vec3f& color, int bounces, float weight) const;
+  bool mayTrace(RayKind kind, const Vec3f& color, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
+  Vec3d told(ColorTerm term, const Vec3d& color) const;
+  void reportLight(int index, const LightSample& light, const Vec3f& visible) const;
+  template <class Event>
+  void report(const Event& event) const {
+    if (observer_) event(*observer_);
+  }
   ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
   // Parts of traceBatch.
+  void reportEyeRays(const TracedRay* rays, int count) const;
   std::vector<Passage> findBatch(const TracedRay* rays, int count, Hit* hits) const;
   void shadeBatch(const TracedRay* rays, const Hit* hits, const Passage* passages, int count,
                   int bounces, Vec3f* colors) const;
@@ -106,8 +120,9 @@ class RayTracer {
   Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
   float epsilonAt(const Hit& hit) const;
 
-  const SceneParser* scene_;  // not owned
-  const Object3D* geometry_;  // not owned
-  RenderOptions options_;     // epsilon is never `automatic` here
-  bool hasGlass_;             // some material of the scene is transparent
+  const SceneParser* scene_;         // not owned
+  const Object3D* geometry_;         // not owned
+  RenderOptions options_;            // epsilon is never `automatic` here
+  bool hasGlass_;                    // some material of the scene is transparent
+  RayObserver* observer_ = nullptr;  // not owned; null where nobody watches
 };

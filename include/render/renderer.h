@@ -1,8 +1,11 @@
 // The renderer: casts rays through every pixel, in tiles, on several threads. One ray through the
 // centre, unless RenderOptions::sampling says otherwise.
 #pragma once
+#include <vector>
+
 #include "geometry/object3d.h"
 #include "image/image.h"
+#include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "render/tile_keeper.h"
 #include "scene/scene_parser.h"
@@ -20,11 +23,19 @@ struct RenderTargets {
   TileKeeper* keeper = nullptr;  ///< null: nobody keeps tiles
 };
 
+/// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`
+/// answers as the common one does, `observer` may be null. Not owned.
+struct WorkerView {
+  const Object3D* geometry;
+  RayObserver* observer;
+};
+
 /// Fills the targets with the scene as its camera sees it, `geometry` (the scene's group, or a
 /// compiled form of it) answering for its objects. `threads` >= 1 never changes a byte. At least
 /// one target must be given; a pixel's central ray is cast once however many there are. Depth and
 /// normals are those of the central ray even where the colour comes from samples, whose rays are
 /// then cast besides it, once for colour and samples together.
+/// `views` is empty or holds one for each thread.
 /// Throws what a worker thread throws (std::bad_alloc, std::system_error).
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets);
+            int threads, const RenderTargets& targets, const std::vector<WorkerView>& views = {});

@@ -14,6 +14,20 @@ void setAccel(const GivenOption& given, Options& options) {
   options.accel = word == "fast" ? Options::Accel::fast : Options::Accel::tree;
 }
 
+void setGrid(const GivenOption& given, Options& options) {
+  static constexpr const char* kNames[] = {"NX", "NY", "NZ"};
+  int cells = 1;  // stays below 2^30
+  for (int axis = 0; axis < 3; ++axis) {
+    options.gridSize[axis] = wholeNumber(given, std::size_t(axis), kNames[axis], 1, kMaxGridSide);
+    cells *= options.gridSize[axis];
+  }
+  if (cells > kMaxGridCells) {
+    throw UsageError("-grid: expected at most " + std::to_string(kMaxGridCells) +
+                     " cells in all, found " + std::to_string(cells));
+  }
+  options.accel = Options::Accel::grid;
+}
+
 void setSimd(const GivenOption& given, Options& options) {
   for (const SimdLevel level :
        {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
@@ -111,6 +125,16 @@ std::vector<OptionRow> runningRows() {
        [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
       {group, "accel", nullptr, "NAME", "fast",
        "fast, or tree: the plain object tree, for checking", setAccel},
+      {group, "grid", nullptr, "NX NY NZ", nullptr,
+       "find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most "
+       "16777216 in all, in place of -accel; the image never depends on it",
+       setGrid},
+      {group, "visualize_grid", nullptr, "", nullptr,
+       "draw the cells of -grid that hold any object as white boxes",
+       [](Given, Options& o) { o.gridPicture = Options::GridPicture::cells; }},
+      {group, "visualize_grid_count", nullptr, "", nullptr,
+       "the same in colours, from white for one object in a cell to red for more than 32",
+       [](Given, Options& o) { o.gridPicture = Options::GridPicture::counts; }},
       {group, "simd", nullptr, "LEVEL", "auto",
        "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
        "best; the image never depends on it",

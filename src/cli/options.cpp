@@ -61,8 +61,18 @@ void checkStandardOutput(const Options& options) {
   }
 }
 
+void checkGridPicture(const Options& options) {
+  if (options.gridPicture == Options::GridPicture::none) return;
+  if (options.accel == Options::Accel::grid) return;
+  const bool counts = options.gridPicture == Options::GridPicture::counts;
+  throw UsageError(std::string(counts ? "-visualize_grid_count" : "-visualize_grid") +
+                   ": expected a grid to draw, for example -grid 20 20 20, found none" +
+                   (options.accel == Options::Accel::tree ? " but -accel tree" : ""));
+}
+
 void checkComplete(const Options& options) {
   if (options.help || options.version || options.shortHelp) return;
+  checkGridPicture(options);
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
                          !options.normalsOutput.empty() || !options.samplesOutput.empty() ||

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <new>
-#include <optional>
 
-#include "accel/compiled_scene.h"
 #include "cli/checkpoint.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "cli/sampling_arguments.h"
+#include "cli/scene_geometry.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
@@ -84,22 +84,45 @@ RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Im
   return targets;
 }
 
+/// What one thread counts, apart from the others' in memory.
+struct alignas(128) ThreadCounts {
+  RayCounts rays;
+  RayTestCounts tests;
+  std::unique_ptr<const Object3D> geometry;
+};
+
+/// Renders, and enters in `stats` what the threads have counted.
+void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, const Options& options,
+                   const RenderTargets& targets, Stats& stats) {
+  std::vector<ThreadCounts> counts(std::size_t(stats.threads));
+  std::vector<WorkerView> views;
+  for (ThreadCounts& each : counts) {
+    each.geometry = geometry.counting(each.tests);
+    stats.countsTests = each.geometry != nullptr;
+    views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
+  }
+  render(scene, geometry.object(), options.render, stats.threads, targets, views);
+  stats.pixels = double(options.width) * options.height;
+  for (const ThreadCounts& each : counts) {
+    stats.rays.add(each.rays);
+    stats.tests.add(each.tests);
+  }
+}
+
 /// Builds what answers for the scene's objects, then traces; enters both in `stats`.
 void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
                Stats& stats) {
   stats.threads = threadCount(options);
-  stats.simd = "none";
-  stats.tree = "plain object tree";
   Stopwatch watch;
-  std::optional<CompiledScene> compiled;
-  if (options.accel == Options::Accel::fast) {
-    compiled.emplace(*scene.getGroup(), stats.threads, options.simd);
-    stats.simd = nameOf(availableSimd(options.simd));
-    stats.tree = compiled->describe();
-  }
+  const SceneGeometry geometry(*scene.getGroup(), options, stats.threads);
+  stats.simd = geometry.simd();
+  stats.tree = geometry.description();
   stats.buildSeconds = watch.restart();
-  const Object3D& geometry = compiled ? static_cast<const Object3D&>(*compiled) : *scene.getGroup();
-  render(scene, geometry, options.render, stats.threads, targets);
+  if (options.stats) {
+    renderCounted(scene, geometry, options, targets, stats);
+  } else {
+    render(scene, geometry.object(), options.render, stats.threads, targets);
+  }
   stats.traceSeconds = watch.restart();
 }
 

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <string>
 
+#include "accel/test_counts.h"
+#include "render/ray_counts.h"
+
 /// Seconds from one call of restart() to the next.
 class Stopwatch {
  public:
@@ -24,6 +27,11 @@ struct Stats {
   std::string tree;  ///< CompiledScene::describe(), or "plain object tree"
   int threads = 0;
   double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;
+
+  RayCounts rays;
+  double pixels = 0;
+  RayTestCounts tests;
+  bool countsTests = false;  ///< whether what answered for the scene has filled `tests`
 
   /// All lines, each with its end.
   std::string text() const;

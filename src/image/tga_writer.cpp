@@ -26,10 +26,17 @@ Bytes headerOf(const Image& image) {
   return bytes;
 }
 
+/// Blue comes first in the file. Bytes are stored where they belong: growing the piece pixel by
+/// pixel took 1.5 times the instructions.
 void appendRow(const Image& image, int y, Bytes& bytes) {
+  const std::size_t before = bytes.size();
+  bytes.resize(before + 3 * static_cast<std::size_t>(image.Width()));
+  std::uint8_t* next = &bytes[before];
   for (int x = 0; x < image.Width(); ++x) {
     const Rgb8 pixel = image.getPixel(x, y);
-    bytes.insert(bytes.end(), {pixel.b, pixel.g, pixel.r});
+    *next++ = pixel.b;
+    *next++ = pixel.g;
+    *next++ = pixel.r;
   }
 }
 

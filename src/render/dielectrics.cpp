@@ -115,10 +115,11 @@ std::optional<RayTracer::TracedRay> RayTracer::mirrored(const Ray& ray, const Hi
                                                         float indexOfRefraction) const {
   const Vec3f color = mirrorFactor(ray, hit, passage);
   const float mirrorWeight = weight * length(color * passage.tint);
-  if (!mayTrace(color, bounces, mirrorWeight)) return std::nullopt;
+  if (!mayTrace(RayKind::mirror, color, bounces, mirrorWeight)) return std::nullopt;
   const Vec3d direction = mirrorDirection(hit.getNormal(), ray.getDirection());
-  return TracedRay{leavingRay(hit, direction), epsilonAt(hit), mirrorWeight, indexOfRefraction,
-                   color};
+  return begun(RayKind::mirror,
+               {leavingRay(hit, direction), epsilonAt(hit), mirrorWeight, indexOfRefraction, color},
+               bounces + 1);
 }
 
 std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const Hit& hit,
@@ -126,7 +127,7 @@ std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const H
                                                          float weight) const {
   const Vec3f color = refractedFactor(ray, hit, passage);
   const float refractedWeight = weight * length(color * passage.tint);
-  if (!mayTrace(color, bounces, refractedWeight)) return std::nullopt;
+  if (!mayTrace(RayKind::refracted, color, bounces, refractedWeight)) return std::nullopt;
   const Material& material = *hit.getMaterial();
   const float before = passage.before.indexAt(material), behind = passage.behind.indexAt(material);
   const Vec3d normal = isOutside(ray, hit) ? hit.getNormal() : -hit.getNormal();
@@ -134,7 +135,12 @@ std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const H
   const bool isStraight =
       before == behind && (options_.nestedDielectrics || options_.fresnel);  // to the last bit
   if (!isStraight && !transmittedDirection(normal, ray.getDirection(), before, behind, direction)) {
+    report([&](RayObserver& observer) {
+      observer.branchStops(RayKind::refracted, BranchStop::totalReflection, refractedWeight);
+    });
     return std::nullopt;
   }
-  return TracedRay{leavingRay(hit, direction), epsilonAt(hit), refractedWeight, behind, color};
+  return begun(RayKind::refracted,
+               {leavingRay(hit, direction), epsilonAt(hit), refractedWeight, behind, color},
+               bounces + 1);
 }

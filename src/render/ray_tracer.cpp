@@ -43,14 +43,26 @@ RayTracer::RayTracer(const SceneParser& scene, const Object3D& geometry,
   options_.epsilon = resolved(options.epsilon, scene);
 }
 
+RayTracer RayTracer::watchedBy(RayObserver* observer, const Object3D& geometry) const {
+  RayTracer tracer = *this;
+  tracer.observer_ = observer;
+  tracer.geometry_ = &geometry;
+  return tracer;
+}
+
 Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                           Hit& hit) const {
+  if (observer_ && bounces == 0) {
+    begun(RayKind::eye, {ray, tmin, weight, indexOfRefraction, {}}, 0);
+  }
   const double tmax = hit.getT();
   Passage passage;
-  if (!geometry_->intersect(ray, hit, tmin) || !settle(ray, tmax, hit, passage)) {
-    return scene_->getBackgroundColor();
-  }
-  return shade(ray, hit, passage, bounces, weight, indexOfRefraction);
+  const bool found = geometry_->intersect(ray, hit, tmin) && settle(ray, tmax, hit, passage);
+  report([&](RayObserver& observer) { observer.rayMeets(found ? &hit : nullptr); });
+  const Vec3f color = found ? shade(ray, hit, passage, bounces, weight, indexOfRefraction)
+                            : scene_->getBackgroundColor();
+  report([&](RayObserver& observer) { observer.rayEnds(color); });
+  return color;
 }
 
 Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
@@ -58,12 +70,20 @@ Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, const Passage& passage, i
   if (hit.getMaterial()->asTexture()) {
     return shadeTexture(ray, hit, passage, bounces, weight, indexOfRefraction);
   }
+  const Vec3d fromAmbient = told(ColorTerm::ambient, ambient(hit));
+  const Vec3d fromLights = told(ColorTerm::lights, lights(ray, hit));
+  const Vec3d fromMirror =
+      told(ColorTerm::mirror,
+           follow(mirrored(ray, hit, passage, bounces, weight, indexOfRefraction), bounces));
+  const Vec3d fromBehind =
+      told(ColorTerm::transmitted, follow(refracted(ray, hit, passage, bounces, weight), bounces));
   // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
-  const Vec3d sum =
-      ambient(hit) + lights(ray, hit) +
-      follow(mirrored(ray, hit, passage, bounces, weight, indexOfRefraction), bounces) +
-      follow(refracted(ray, hit, passage, bounces, weight), bounces);
-  return Vec3f(sum * Vec3d(passage.tint));
+  return Vec3f((fromAmbient + fromLights + fromMirror + fromBehind) * Vec3d(passage.tint));
+}
+
+Vec3d RayTracer::told(ColorTerm term, const Vec3d& color) const {
+  report([&](RayObserver& observer) { observer.termIsKnown(term, color); });
+  return color;
 }
 
 Vec3f RayTracer::shadeTexture(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
@@ -88,8 +108,9 @@ Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
   Vec3d sum;
   for (int i = 0; i < scene_->getNumLights(); ++i) {
     const LightSample light = sampleLight(i, lit);
-    if (!light.isInFront) continue;
-    sum += reflected(ray, lit, light, visibility(hit, light));
+    const Vec3f visible = light.isInFront ? visibility(hit, light) : Vec3f();
+    reportLight(i, light, visible);
+    if (light.isInFront) sum += reflected(ray, lit, light, visible);
   }
   return sum;
 }
@@ -126,6 +147,12 @@ ShadowQuery RayTracer::shadowQuery(const Hit& hit, const LightSample& light) con
   return {leavingRay(hit, light.direction), epsilonAt(hit), light.distance};
 }
 
+void RayTracer::reportLight(int index, const LightSample& light, const Vec3f& visible) const {
+  report([&](RayObserver& observer) {
+    observer.lightAnswers({index, light.isInFront, light.isInFront && options_.shadows, visible});
+  });
+}
+
 /// The mirror's and the transmitted term: what the next ray brings, `bounces` before it.
 Vec3d RayTracer::follow(std::optional<TracedRay> next, int bounces) const {
   if (!next) return Vec3d();
@@ -134,9 +161,22 @@ Vec3d RayTracer::follow(std::optional<TracedRay> next, int bounces) const {
                                         next->indexOfRefraction, hit);
 }
 
+RayTracer::TracedRay RayTracer::begun(RayKind kind, const TracedRay& next, int bounces) const {
+  report([&](RayObserver& observer) {
+    observer.rayBegins({kind, next.ray, bounces, next.weight, next.indexOfRefraction});
+  });
+  return next;
+}
+
 /// The one place where recursion stops.
-bool RayTracer::mayTrace(const Vec3f& color, int bounces, float weight) const {
-  return anyPositive(color) && bounces < options_.maxBounces && weight >= options_.minWeight;
+bool RayTracer::mayTrace(RayKind kind, const Vec3f& color, int bounces, float weight) const {
+  if (!anyPositive(color)) return false;
+  const bool hasBounces = bounces < options_.maxBounces;
+  if (hasBounces && weight >= options_.minWeight) return true;
+  report([&](RayObserver& observer) {
+    observer.branchStops(kind, hasBounces ? BranchStop::weight : BranchStop::bounces, weight);
+  });
+  return false;
 }
 
 Ray RayTracer::leavingRay(const Hit& hit, const Vec3d& direction) const {

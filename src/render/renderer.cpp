@@ -17,6 +17,8 @@ static_assert(kTilePixels <= Object3D::kBatchSize, "a tile is one batch");
 /// Stack for the deepest scene, and for each bounce that the options allow (measured: below 1 kB a
 /// bounce, 1.6 kB between solid textures, 3 kB with sanitizers).
 constexpr std::size_t kBaseStack = 2 << 20, kStackPerBounce = 8192;
+/// Where rays are counted, tiles are small enough for so many threads, however many there are.
+constexpr int kWatchedThreads = 16;
 
 const Image* anyOf(const RenderTargets& targets) {
   return targets.color ? targets.color : targets.depth ? targets.depth : targets.normals;
@@ -104,14 +106,30 @@ class TileRenderer {
   const int width_, height_;
 };
 
-/// Renders all tiles of a renderer for `targets` on so many threads, but those that are kept.
-template <class Renderer>
-void renderTiles(const Renderer& renderer, const RenderTargets& targets,
-                 const RenderOptions& options, int threads) {
+/// A tracer and, where threads are watched, what each of them has of its own.
+struct Watch {
+  const RayTracer& tracer;
+  const std::vector<WorkerView>& views;
+
+  RayTracer tracerOf(int thread) const {
+    if (views.empty()) return tracer;
+    const WorkerView& view = views[std::size_t(thread)];
+    return tracer.watchedBy(view.observer, *view.geometry);
+  }
+};
+
+/// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a
+/// renderer that makeRenderer(tracer) gives.
+template <class MakeRenderer>
+void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderOptions& options,
+                 int threads, const MakeRenderer& makeRenderer) {
+  const int tiles = makeRenderer(watch.tracer).tileCount();
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
-  runOnThreads(std::min(threads, renderer.tileCount()), stack, [&](int) {
-    for (int tile; (tile = next++) < renderer.tileCount();) {
+  runOnThreads(std::min(threads, tiles), stack, [&](int thread) {
+    const RayTracer tracer = watch.tracerOf(thread);
+    const auto renderer = makeRenderer(tracer);
+    for (int tile; (tile = next++) < tiles;) {
       const PixelRectangle area = renderer.areaOf(tile);
       if (targets.keeper && targets.keeper->isFinished(targets, area)) continue;
       renderer.renderTile(tile);
@@ -123,18 +141,23 @@ void renderTiles(const Renderer& renderer, const RenderTargets& targets,
 }  // namespace
 
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets) {
+            int threads, const RenderTargets& targets, const std::vector<WorkerView>& views) {
   const RayTracer tracer(scene, geometry, options);
+  const Watch watch = {tracer, views};
   RenderTargets central = targets;
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
-    const SampledScene sampled = {*scene.getCamera(), tracer, size.x(), size.y()};
     RenderTargets ofSamples = targets;
     ofSamples.depth = ofSamples.normals = nullptr;
-    const SampledRenderer renderer(sampled, options.sampling, ofSamples, threads);
-    renderTiles(renderer, ofSamples, options, threads);
+    // Rays around a tile are traced again: to count the same, tiles must have the same size.
+    const int tileThreads = views.empty() ? threads : kWatchedThreads;
+    renderTiles(watch, ofSamples, options, threads, [&](const RayTracer& own) {
+      return SampledRenderer({*scene.getCamera(), own, size.x(), size.y()}, options.sampling,
+                             ofSamples, tileThreads);
+    });
     central.color = central.samples = nullptr;
     if (!anyOf(central)) return;
   }
-  renderTiles(TileRenderer(scene, tracer, central), central, options, threads);
+  renderTiles(watch, central, options, threads,
+              [&](const RayTracer& own) { return TileRenderer(scene, own, central); });
 }

@@ -87,13 +87,16 @@ void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* h
     }
     return;
   }
+  if (bounces == 0) reportEyeRays(rays, count);
   const std::vector<Passage> passages = findBatch(rays, count, hits);
   if (std::none_of(hits, hits + count, isTextured)) {
-    return shadeBatch(rays, hits, passages.data(), count, bounces, colors);
+    shadeBatch(rays, hits, passages.data(), count, bounces, colors);
+  } else {
+    PartBatch parts(*this, bounces, count);
+    for (int i = 0; i < count; ++i) parts.add(rays[i], hits[i], passages[std::size_t(i)], i);
+    parts.finish(colors);
   }
-  PartBatch parts(*this, bounces, count);
-  for (int i = 0; i < count; ++i) parts.add(rays[i], hits[i], passages[std::size_t(i)], i);
-  parts.finish(colors);
+  for (int i = 0; observer_ && i < count; ++i) observer_->rayEnds(colors[i]);
 }
 
 /// The second half of traceBatch, where no hit is of a texture.
@@ -115,7 +118,12 @@ void RayTracer::shadeBatch(const TracedRay* rays, const Hit* hits, const Passage
 }
 
 void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) const {
+  reportEyeRays(rays, count);
   findBatch(rays, count, hits);
+}
+
+void RayTracer::reportEyeRays(const TracedRay* rays, int count) const {
+  for (int i = 0; observer_ && i < count; ++i) begun(RayKind::eye, rays[i], 0);
 }
 
 /// Finds what the rays hit, and what lies on both sides of it.
@@ -132,6 +140,9 @@ std::vector<Passage> RayTracer::findBatch(const TracedRay* rays, int count, Hit*
   std::vector<Passage> passages(only.size());
   for (int i = 0; i < count; ++i) {
     if (isFound(hits[i])) settle(rays[i].ray, Hit().getT(), hits[i], passages[std::size_t(i)]);
+  }
+  for (int i = 0; observer_ && i < count; ++i) {
+    observer_->rayMeets(isFound(hits[i]) ? hits + i : nullptr);
   }
   return passages;
 }
@@ -167,6 +178,7 @@ void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int 
     if (!isFound(hits[i])) continue;
     std::optional<Hit> turned;
     const LightSample light = sampleLight(index, litSide(rays[i].ray, hits[i], turned));
+    if (!light.isInFront) reportLight(index, light, Vec3f());
     if (!light.isInFront) continue;
     ways.push_back(shadowQuery(hits[i], light));
     asked.push_back({i, light});
@@ -174,6 +186,7 @@ void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int 
   bool blocked[Object3D::kBatchSize];
   geometry_->occludedBatch(ways.data(), int(ways.size()), blocked);
   for (std::size_t k = 0; k < asked.size(); ++k) {
+    reportLight(index, asked[k].light, blocked[k] ? Vec3f() : Vec3f(1, 1, 1));
     if (blocked[k]) continue;
     const int i = asked[k].place;
     std::optional<Hit> turned;

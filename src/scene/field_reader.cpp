@@ -3,12 +3,26 @@
 
 #include "scene/block_reader.h"
 #include "scene/number_reader.h"
+#include "scene/quick_decimal.h"
 #include "scene/scene_words.h"
 
 namespace {
 
-bool readAny(std::string_view word, double& value) { return readDouble(word, value); }
-bool readAny(std::string_view word, float& value) { return readFloat(word, value); }
+/// Read a number that is the whole of `word`. What stands behind it, up to `end`, is no part of a
+/// number, but lets numbers be read eight bytes at a time.
+bool readAny(std::string_view word, const char* end, double& value) {
+  double found;
+  if (word.empty() || scanDouble(word.data(), end, found) != word.data() + word.size())
+    return false;
+  value = found;
+  return true;
+}
+bool readAny(std::string_view word, const char* end, float& value) {
+  float found;
+  if (word.empty() || scanFloat(word.data(), end, found) != word.data() + word.size()) return false;
+  value = found;
+  return true;
+}
 
 /// True for MaterialIndex where a field is called materialIndex.
 bool isCapitalised(std::string_view word, const Field* first, const Field* last) {
@@ -21,7 +35,7 @@ bool isCapitalised(std::string_view word, const Field* first, const Field* last)
 
 template <class T>
 bool BlockReader::readNumberOf(std::string_view what, T& value) {
-  if (!readAny(word_, value)) {
+  if (!readAny(word_, text_.bytes().data() + text_.bytes().size(), value)) {
     reportBadNumber(what, "a number");
     return false;
   }
@@ -57,16 +71,36 @@ void BlockReader::reportBadNumber(std::string_view what, const std::string& kind
   }
 }
 
+bool BlockReader::readPlainNumbers(double* values, int count) {
+  const char* p = tokenizer_.place();
+  for (int i = 0; i < count; ++i) {
+    if (tokenizer_.end() - p <= kQuickBytes || *p != ' ') return false;
+    QuickDecimal number;
+    p = scanQuickly(p + 1, number);
+    if (!p || !(*p == ' ' || *p == '\n' || *p == '\r' || *p == '}')) return false;
+    if (!toDouble(number, values[i])) return false;
+  }
+  tokenizer_.moveTo(p);
+  lastEnd_ = p;
+  word_ = tokenizer_.next();
+  return true;
+}
+
 bool BlockReader::readFields(std::string_view owner, FieldList fields) {
   const std::size_t mistakesBefore = mistakeCount_;
   const char* const start = at();
   if (!openBlock(owner)) return false;
+  Field* const end = fields.first + fields.size;
+  Field* expected = fields.first;
   while (word_ != "}") {
-    Field* field = fields.first;
-    Field* const end = fields.first + fields.size;
-    while (field != end && !isWord(word_, field->name)) ++field;
+    Field* field = expected;  // mostly they stand in order
+    if (field == end || !isWord(word_, field->name)) {
+      field =
+          std::find_if(fields.first, end, [&](const Field& f) { return isWord(word_, f.name); });
+    }
     if (field != end) {
       readField(*field);
+      expected = field + 1;
     } else if (atEnd() || (isBlockWord(word_) && !isCapitalised(word_, fields.first, end))) {
       closeBlock(owner);
       return false;
@@ -84,7 +118,25 @@ bool BlockReader::readFields(std::string_view owner, FieldList fields) {
   return mistakeCount_ == mistakesBefore;
 }
 
+/// Reads a field whose value is a number or three of them, written plainly; false otherwise.
+bool BlockReader::readPlainField(Field& field) {
+  const char* const place = tokenizer_.place() + 1;
+  double numbers[3];
+  if (double* const* number = std::get_if<double*>(&field.target)) {
+    if (!readPlainNumbers(numbers, 1)) return false;
+    **number = numbers[0];
+  } else if (Vec3d* const* vector = std::get_if<Vec3d*>(&field.target)) {
+    if (!readPlainNumbers(numbers, 3)) return false;
+    **vector = {numbers[0], numbers[1], numbers[2]};
+  } else {
+    return false;
+  }
+  field.at = place;
+  return true;
+}
+
 void BlockReader::readField(Field& field) {
+  if (readPlainField(field)) return;
   advance();
   const char* const place = at();
   struct Reader {

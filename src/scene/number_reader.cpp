@@ -13,6 +13,7 @@
 
 #include "scene/digits.h"
 #include "scene/powers_of_ten.h"
+#include "scene/quick_decimal.h"
 
 namespace {
 
@@ -26,6 +27,8 @@ constexpr double kNearPowersOfTen[] = {
     1e-10, 1e-9,  1e-8,  1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1,  1e0,   1e1,
     1e2,   1e3,   1e4,   1e5,   1e6,   1e7,   1e8,   1e9,   1e10,  1e11,  1e12,  1e13,
     1e14,  1e15,  1e16,  1e17,  1e18,  1e19,  1e20,  1e21,  1e22};
+/// Whole numbers up to here are doubles.
+constexpr std::uint64_t kExactDoubles = std::uint64_t(1) << 53;
 constexpr int kMantissaDigits = digits::kMost;
 
 /// A number as it is written: (-1)^isNegative * mantissa * 10^exponent, where the mantissa holds
@@ -56,6 +59,8 @@ Decimal withCutMantissa(Decimal number) {
   }
   return number;
 }
+
+bool beginsExponent(char c) { return c == 'e' || c == 'E'; }
 
 /// Reads `[+-] digits` after an e. Exponents beyond any sense stop growing at 10^15, which is
 /// still far more than a word has digits.
@@ -93,7 +98,7 @@ bool readExponent(const char*& p, const char* end, std::int64_t& exponent) {
   if (count == 0) return nullptr;
   number.digits = std::string_view(start, std::size_t(p - start));
   if (count > kMantissaDigits) number = withCutMantissa(number);
-  if (p == end || (*p != 'e' && *p != 'E')) return p;
+  if (p == end || !beginsExponent(*p)) return p;
   ++p;
   return readExponent(p, end, number.exponent) ? p : nullptr;
 }
@@ -167,8 +172,7 @@ bool findByProduct(std::uint64_t mantissa, std::int64_t exponent, bool isCut, do
 
 /// The same for any number. Two exact doubles give it in one rounded operation.
 [[gnu::always_inline]] inline bool findNearest(const Decimal& number, double& magnitude) {
-  constexpr std::uint64_t kExactLimit = std::uint64_t(1) << 53;
-  const bool isShort = number.mantissa <= kExactLimit && !number.isCut;
+  const bool isShort = number.mantissa <= kExactDoubles && !number.isCut;
   if (number.mantissa == 0 || (isShort && hasExactPower(number))) {
     magnitude =
         number.mantissa == 0 ? 0 : scaleByPowerOfTen(double(number.mantissa), number.exponent);
@@ -190,8 +194,34 @@ bool findByProduct(std::uint64_t mantissa, std::int64_t exponent, bool isCut, do
 
 /// The magnitude with the number's sign, without a branch.
 double signedAs(const Decimal& number, double magnitude) {
-  constexpr double kSigns[] = {1, -1};
+  static constexpr double kSigns[] = {1, -1};
   return magnitude * kSigns[number.isNegative];
+}
+
+/// Any number: what a QuickDecimal cannot hold.
+[[gnu::noinline]] const char* scanAnyDouble(const char* p, const char* end, double& value) {
+  Decimal number;
+  const char* const stop = scanDecimal(p, end, number);
+  if (!stop) return nullptr;
+  double magnitude;
+  if (findNearest(number, magnitude)) {
+    value = signedAs(number, magnitude);
+    return stop;
+  }
+  return readExactly({p, std::size_t(stop - p)}, value) ? stop : nullptr;
+}
+
+/// The same; what is not clear from near the number is rounded from its digits.
+[[gnu::noinline]] const char* scanAnyFloat(const char* p, const char* end, float& value) {
+  Decimal number;
+  const char* const stop = scanDecimal(p, end, number);
+  if (!stop) return nullptr;
+  double magnitude;
+  if (findNear(number, magnitude) && (number.mantissa == 0 || roundsSafelyToFloat(magnitude))) {
+    value = float(signedAs(number, magnitude));
+    return stop;
+  }
+  return readExactly({p, std::size_t(stop - p)}, value) ? stop : nullptr;
 }
 
 const char* endOf(std::string_view word) { return word.data() + word.size(); }
@@ -204,27 +234,21 @@ bool isNumber(std::string_view word) {
 }
 
 const char* scanDouble(const char* p, const char* end, double& value) {
-  Decimal number;
-  const char* const stop = scanDecimal(p, end, number);
-  if (!stop) return nullptr;
-  double magnitude;
-  if (findNearest(number, magnitude)) {
-    value = signedAs(number, magnitude);
-    return stop;
+  if (end - p >= kQuickBytes) {
+    QuickDecimal quick;
+    const char* const stop = scanQuickly(p, quick);
+    if (stop && !beginsExponent(*stop) && toDouble(quick, value)) return stop;
   }
-  return readExactly({p, std::size_t(stop - p)}, value) ? stop : nullptr;
+  return scanAnyDouble(p, end, value);
 }
 
 const char* scanFloat(const char* p, const char* end, float& value) {
-  Decimal number;
-  const char* const stop = scanDecimal(p, end, number);
-  if (!stop) return nullptr;
-  double magnitude;
-  if (findNear(number, magnitude) && (number.mantissa == 0 || roundsSafelyToFloat(magnitude))) {
-    value = float(signedAs(number, magnitude));
-    return stop;
+  if (end - p >= kQuickBytes) {
+    QuickDecimal quick;
+    const char* const stop = scanQuickly(p, quick);
+    if (stop && !beginsExponent(*stop) && toFloat(quick, value)) return stop;
   }
-  return readExactly({p, std::size_t(stop - p)}, value) ? stop : nullptr;
+  return scanAnyFloat(p, end, value);
 }
 
 bool readDouble(std::string_view word, double& value) {

@@ -18,6 +18,7 @@ class ObjCursor {
 
   /// Goes to the next statement's first letter; false at the end.
   bool findStatement() {
+    if (place_ != end_ && *place_ > ' ') return true;  // most lines begin so
     while (place_ != end_ && (isBlank(*place_) || *place_ == '\n')) ++place_;
     return place_ != end_;
   }
@@ -27,6 +28,10 @@ class ObjCursor {
 
   /// Goes behind the statement's last line.
   void skipStatement() {
+    if (place_ != end_ && *place_ == '\n') {  // mostly its line's end is reached already
+      ++place_;
+      return;
+    }
     const bool isComment = place_ != end_ && *place_ == '#';
     while (place_ != end_) {
       const char* const start = place_;
@@ -53,7 +58,7 @@ class ObjCursor {
     return {place_, std::size_t(p - place_)};
   }
   bool isWordEnd(const char* p) const {
-    return p == end_ || isBlank(*p) || *p == '\n' || continuation(p) > 0;
+    return p == end_ || *p == ' ' || *p == '\n' || isBlank(*p) || continuation(p) > 0;
   }
 
   /// True when a line that ends at `newline` goes on behind it; it begins at or before `start`, and
@@ -73,9 +78,8 @@ class ObjCursor {
     if (next == end_) return std::size_t(next - p);
     return *next == '\n' ? std::size_t(next + 1 - p) : 0;
   }
-  /// The line's end; mostly it is reached already.
+  /// The line's end.
   const char* findNewline() const {
-    if (*place_ == '\n') return place_;
     const void* const found = std::memchr(place_, '\n', std::size_t(end_ - place_));
     return found ? static_cast<const char*>(found) : end_;
   }

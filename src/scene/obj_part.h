@@ -22,6 +22,14 @@ struct ObjPart {
   /// Corners (3 * face + corner) that were counted backwards: their indices count from the part's
   /// first vertex, modulo 2^32. Not kept where nothing stands before the part.
   std::vector<std::size_t> relativeCorners;
+
+  /// Empties the part, but keeps its memory.
+  void clear() {
+    vertices.clear();
+    faces.clear();
+    highest = reachBack = 0;
+    relativeCorners.clear();
+  }
 };
 
 /// What the reader of a part takes for granted: indices up to `vertices` are right, and so is

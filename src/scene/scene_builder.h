@@ -96,6 +96,7 @@ class SceneBuilder {
   // The inside of a Transform. `allowed` is what may stand there.
   bool readSteps(Matrix& product, WordList allowed, bool mustInvert);
   bool readStep(Matrix& product, bool mustInvert);
+  bool readStepNumbers(std::string_view name, double* numbers, int count);
   const Object3D* readMovedObject(bool areStepsGood);
 
   // Lists: `readItem` reads one counted item, whose name is the current word; `readOther` reads

@@ -20,7 +20,8 @@ bool isOlderForm(std::string_view word, std::string_view name) {
 }  // namespace
 
 bool isWord(std::string_view word, std::string_view name) {
-  return word == name || isOlderForm(word, name);
+  // An older form is the longer one, as each capital gives two letters.
+  return word == name || (word.size() > name.size() && isOlderForm(word, name));
 }
 
 bool isBlockWord(std::string_view word) {

@@ -12,6 +12,12 @@ class Tokenizer {
   /// The next word, a view into the bytes; an empty view at their end, and ever after.
   std::string_view next();
 
+  /// Where the last word ends.
+  const char* place() const { return place_; }
+  const char* end() const { return end_; }
+  /// Goes on from a place further on where a word has ended.
+  void moveTo(const char* place) { place_ = place; }
+
  private:
   void skipToWord();
 

@@ -12,6 +12,7 @@ struct StepKind {
   std::string_view name;
   int numbers;  // how many follow the name
   Matrix (*toMatrix)(const double* numbers);
+  bool canBeSingular;  // no translation by finite numbers is, nor a turn about an axis
 };
 
 constexpr int kMostNumbers = 16;
@@ -29,10 +30,11 @@ Matrix toAffineMap(const double* n) {
   return Matrix(rows);
 }
 
-constexpr StepKind kSteps[] = {{"Translate", 3, toTranslation},     {"Scale", 3, toScale},
-                               {"UniformScale", 1, toUniformScale}, {"XRotate", 1, toXRotation},
-                               {"YRotate", 1, toYRotation},         {"ZRotate", 1, toZRotation},
-                               {"Rotate", 4, toRotation},           {"Matrix", 16, toAffineMap}};
+constexpr StepKind kSteps[] = {
+    {"Translate", 3, toTranslation, false},    {"Scale", 3, toScale, true},
+    {"UniformScale", 1, toUniformScale, true}, {"XRotate", 1, toXRotation, false},
+    {"YRotate", 1, toYRotation, false},        {"ZRotate", 1, toZRotation, false},
+    {"Rotate", 4, toRotation, true},           {"Matrix", 16, toAffineMap, true}};
 
 const StepKind* findStep(std::string_view word) {
   for (const StepKind& kind : kSteps) {
@@ -68,15 +70,16 @@ std::string shown(const double* numbers, int count) {
   return text;
 }
 
-/// What is wrong with a step, or nothing.
-std::string problemOf(const StepKind& kind, const double* n, bool mustInvert) {
+/// What is wrong with a step, or nothing: then `step` is what it does.
+std::string problemOf(const StepKind& kind, const double* n, bool mustInvert, Matrix& step) {
   if (kind.name == "Rotate" && n[0] == 0 && n[1] == 0 && n[2] == 0) {
     return "expected an axis of Rotate that is not zero, found 0 0 0";
   }
   if (kind.name == "Matrix" && !(n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1)) {
     return "expected 0 0 0 1 as the last row of Matrix, found" + shown(n + 12, 4);
   }
-  if (!mustInvert || hasInverse(kind.toMatrix(n))) return {};
+  step = kind.toMatrix(n);
+  if (!mustInvert || !kind.canBeSingular || hasInverse(step)) return {};
   return "singular transform: expected a step that can be inverted, found " +
          std::string(kind.name) + shown(n, kind.numbers);
 }
@@ -121,25 +124,32 @@ bool SceneBuilder::readSteps(Matrix& product, WordList allowed, bool mustInvert)
 bool SceneBuilder::readStep(Matrix& product, bool mustInvert) {
   const StepKind& kind = *findStep(in_.word());
   const char* const at = in_.at();
-  in_.advance();
-  const bool hasBraces = in_.word() == "{";
-  if (hasBraces) in_.advance();
   double numbers[kMostNumbers] = {};
-  bool isGood = true;
-  for (int i = 0; i < kind.numbers; ++i) {
-    const char* const before = in_.at();
-    isGood &= in_.readNumber(kind.name, numbers[i]);
-    if (in_.at() == before) break;
-  }
-  if (hasBraces) in_.closeBlock(kind.name);
-  if (!isGood) return false;
-  const std::string problem = problemOf(kind, numbers, mustInvert);
+  if (!readStepNumbers(kind.name, numbers, kind.numbers)) return false;
+  Matrix step;
+  const std::string problem = problemOf(kind, numbers, mustInvert, step);
   if (!problem.empty()) {
     in_.report(at, problem);
     return false;
   }
-  product = product * kind.toMatrix(numbers);
+  product = product * step;
   return true;
+}
+
+/// Reads the numbers of a step, with or without braces, from its name on. False after a mistake.
+bool SceneBuilder::readStepNumbers(std::string_view name, double* numbers, int count) {
+  if (in_.readPlainNumbers(numbers, count)) return true;
+  in_.advance();
+  const bool hasBraces = in_.word() == "{";
+  if (hasBraces) in_.advance();
+  bool isGood = true;
+  for (int i = 0; i < count; ++i) {
+    const char* const before = in_.at();
+    isGood &= in_.readNumber(name, numbers[i]);
+    if (in_.at() == before) break;
+  }
+  if (hasBraces) in_.closeBlock(name);
+  return isGood;
 }
 
 /// Reads the object of a Transform and the `}` behind it. After a mistake in the steps a missing

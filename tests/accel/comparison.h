@@ -1,4 +1,4 @@
-// Compares a compiled scene with the plain objects it was made from, bit for bit.
+// Compares compiled scenes and grids with the plain objects they were made from, bit for bit.
 #pragma once
 #include <cstring>
 #include <memory>
@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "accel/compiled_scene.h"
+#include "accel/grid.h"
 #include "vectors.h"
 
 namespace accel_test {
 
 inline constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// So little room that the faces of meshes are listed by several and cells grow.
+inline constexpr GridLimits kTightLimits = {20, 200};
 
 /// Every instruction set that this processor has.
 inline std::vector<SimdLevel> levels() {
@@ -68,9 +72,11 @@ class Comparison {
  public:
   /// `root` is not owned.
   explicit Comparison(const Object3D& root, std::string name = "") : root_(root), name_(name) {
-    for (const SimdLevel level : levels()) {
-      compiled_.push_back(std::make_unique<CompiledScene>(root, 2, level));
+    for (const SimdLevel level : levels()) add(std::make_unique<CompiledScene>(root, 2, level));
+    for (const GridSize& size : {GridSize{1, 1, 1}, GridSize{7, 5, 6}, GridSize{40, 3, 33}}) {
+      add(std::make_unique<Grid>(root, size));
     }
+    add(std::make_unique<Grid>(root, GridSize{9, 9, 9}, kTightLimits));
   }
 
   /// intersect, occluded and visitCrossings.
@@ -79,25 +85,25 @@ class Comparison {
     const bool found = root_.intersect(ray, expected, tmin);
     const bool blocked = root_.occluded(ray, tmin, tmax);
     hits_ += found;
-    for (const auto& scene : compiled_) {
+    for (const Form& form : forms_) {
       Hit hit(tmax);
-      const bool ok = scene->intersect(ray, hit, tmin) == found && sameBits(hit, expected);
+      const bool ok = form.scene->intersect(ray, hit, tmin) == found && sameBits(hit, expected);
       cases_.expect(ok, [&] {
-        return where(*scene) + describe(ray, tmin, tmax) + ": intersect finds " + describe(hit) +
+        return where(form) + describe(ray, tmin, tmax) + ": intersect finds " + describe(hit) +
                ", expected " + describe(expected);
       });
-      cases_.expect(scene->occluded(ray, tmin, tmax) == blocked, [&] {
-        return where(*scene) + describe(ray, tmin, tmax) + ": occluded, expected " +
+      cases_.expect(form.scene->occluded(ray, tmin, tmax) == blocked, [&] {
+        return where(form) + describe(ray, tmin, tmax) + ": occluded, expected " +
                check::show(blocked);
       });
     }
   }
   void askCrossings(const Ray& ray) {
     const CrossingSet expected(root_, ray);
-    for (const auto& scene : compiled_) {
-      const CrossingSet found(*scene, ray);
+    for (const Form& form : forms_) {
+      const CrossingSet found(*form.scene, ray);
       cases_.expect(found == expected, [&] {
-        return where(*scene) + describe(ray, 0, kInf) + ": " + check::show(found.size()) +
+        return where(form) + describe(ray, 0, kInf) + ": " + check::show(found.size()) +
                " crossings, expected " + check::show(expected.size());
       });
     }
@@ -108,13 +114,13 @@ class Comparison {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits_ += root_.intersect(rays[i], expected[i], tmin);
     }
-    for (const auto& scene : compiled_) {
+    for (const Form& form : forms_) {
       std::vector<Hit> hits = bounds;
       const std::vector<double> tmins(rays.size(), tmin);
-      scene->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits.data());
+      form.scene->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits.data());
       for (std::size_t i = 0; i < rays.size(); ++i) {
         cases_.expect(sameBits(hits[i], expected[i]), [&] {
-          return where(*scene) + describe(rays[i], tmin, bounds[i].getT()) + ", " +
+          return where(form) + describe(rays[i], tmin, bounds[i].getT()) + ", " +
                  std::to_string(i) + " of a batch of " + std::to_string(rays.size()) + ", finds " +
                  describe(hits[i]) + ", expected " + describe(expected[i]);
         });
@@ -130,12 +136,12 @@ class Comparison {
       expected.push_back(root_.occluded(q.ray, q.tmin, q.tmax));
       hits_ += expected.back();
     }
-    for (const auto& scene : compiled_) {
+    for (const Form& form : forms_) {
       bool blocked[Object3D::kBatchSize];
-      scene->occludedBatch(queries.data(), int(queries.size()), blocked);
+      form.scene->occludedBatch(queries.data(), int(queries.size()), blocked);
       for (std::size_t i = 0; i < queries.size(); ++i) {
         cases_.expect(blocked[i] == bool(expected[i]), [&] {
-          return where(*scene) + describe(queries[i].ray, queries[i].tmin, queries[i].tmax) + ", " +
+          return where(form) + describe(queries[i].ray, queries[i].tmin, queries[i].tmax) + ", " +
                  std::to_string(i) + " of " + std::to_string(queries.size()) +
                  " shadow rays: blocked is expected to be " + check::show(bool(expected[i]));
         });
@@ -149,13 +155,21 @@ class Comparison {
   const std::string& firstFailure() const { return cases_.firstFailure(); }
 
  private:
-  std::string where(const CompiledScene& scene) const {
-    return name_ + " (" + scene.describe() + "): ";
+  /// One way to find hits, and what to call it.
+  struct Form {
+    std::unique_ptr<Object3D> scene;
+    std::string description;
+  };
+  template <class Scene>
+  void add(std::unique_ptr<Scene> scene) {
+    const std::string description = scene->describe();
+    forms_.push_back({std::move(scene), description});
   }
+  std::string where(const Form& form) const { return name_ + " (" + form.description + "): "; }
 
   const Object3D& root_;
   std::string name_;
-  std::vector<std::unique_ptr<CompiledScene>> compiled_;
+  std::vector<Form> forms_;
   check::Cases cases_;
   int hits_ = 0;
 };

@@ -39,6 +39,12 @@ Words split(const std::string& text) {
   return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
 }
 
+/// The words that must be given beside an argument.
+Words companionsOf(const OptionRow& row) {
+  const bool drawsGrid = std::string(row.name).rfind("visualize_grid", 0) == 0;
+  return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
+}
+
 /// Right words for an argument, from the names that the table gives them.
 Words sampleWords(const OptionRow& row) {
   Words words = split(row.words);
@@ -47,6 +53,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
     if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
+    if (word == "NX" || word == "NY" || word == "NZ") word = "3";
     if (word == "R" || word == "SIGMA" || word == "TOLERANCE" || word == "ZOOM") word = "1";
     if (word == "MAX") word = "2";
   }
@@ -87,6 +94,8 @@ TEST("limits in the help are the limits of the parser") {
   CHECK(contains(findOption("bounces")->help, "to " + std::to_string(kMaxBounces)));
   CHECK(contains(findOption("threads")->help, "to " + std::to_string(kMaxThreads)));
   CHECK(contains(findOption("size")->help, "to " + std::to_string(kMaxImageSide)));
+  CHECK(contains(findOption("grid")->help, "to " + std::to_string(kMaxGridSide)));
+  CHECK(contains(findOption("grid")->help, "most " + std::to_string(kMaxGridCells)));
 }
 
 TEST("every argument of the contract is in the table") {
@@ -107,6 +116,9 @@ TEST("every argument of the contract is in the table") {
                            "epsilon",
                            "threads",
                            "accel",
+                           "grid",
+                           "visualize_grid",
+                           "visualize_grid_count",
                            "simd",
                            "stats",
                            "quiet",
@@ -123,6 +135,7 @@ TEST("every argument of the table is read under each name with one dash or two")
       for (const char* dashes : {"-", "--"}) {
         Words words = sampleWords(row);
         words.insert(words.begin(), std::string(dashes) + name);
+        for (const std::string& word : companionsOf(row)) words.push_back(word);
         CHECK_EQUAL(mistake(words), "");
       }
     }

@@ -4,29 +4,15 @@
 
 #include <algorithm>
 
-#include "accel/compiled_scene.h"
 #include "check.h"
-#include "run_program.h"
+#include "desk.h"
 
 namespace {
 
+using check::contains;
+using check::Desk;
 using check::quoted;
-
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// A folder with scene.txt, where the program is run.
-struct Desk : check::ScratchFolder {
-  Desk() { write("scene.txt", check::smallScene()); }
-
-  check::ProgramRun run(const std::string& arguments, const std::string& before = "") const {
-    return check::runProgram(arguments, path(), before);
-  }
-};
+using check::startsWith;
 
 /// The run failed with `status` and said so in lines that all begin "raytracer: ".
 void checkFailure(const check::ProgramRun& run, int status, const std::string& part) {
@@ -78,8 +64,9 @@ TEST("any number of threads and either way to find a hit give the same bytes") {
   CHECK_EQUAL(desk.run(in + "b -threads 3").status, 0);
   CHECK_EQUAL(desk.run(in + "c -threads 16").status, 0);
   CHECK_EQUAL(desk.run(in + "d -accel tree").status, 0);
+  CHECK_EQUAL(desk.run(in + "e -grid 3 4 5").status, 0);
   const std::string first = check::contentOf(desk.file("a"));
-  for (const char* other : {"b", "c", "d"}) CHECK(first == check::contentOf(desk.file(other)));
+  for (const char* other : {"b", "c", "d", "e"}) CHECK(first == check::contentOf(desk.file(other)));
 }
 
 TEST("the scene may come from standard input") {
@@ -277,61 +264,4 @@ TEST("an output that is a link replaces what the link points to") {
   CHECK_EQUAL(desk.run("-input scene.txt -output out.tga").status, 0);
   CHECK(std::filesystem::is_symlink(desk.file("out.tga")));
   CHECK_EQUAL(check::contentOf(desk.file("real.tga")).size(), tgaSize(100, 100));
-}
-
-namespace {
-
-/// The value in the line `name: value` of what -stats printed; "" where there is none.
-std::string statsValue(const std::string& output, const std::string& name) {
-  std::istringstream lines(output);
-  for (std::string line; std::getline(lines, line);) {
-    if (startsWith(line, name + ": ")) return line.substr(name.size() + 2);
-  }
-  return "";
-}
-
-}  // namespace
-
-TEST("every -simd gives the same bytes, and -stats tells which one was used") {
-  const Desk desk;
-  CHECK_EQUAL(desk.run("-input scene.txt -output tree.tga -accel tree").status, 0);
-  for (const SimdLevel level :
-       {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
-    const std::string name = nameOf(level), used = nameOf(availableSimd(level));
-    const auto run = desk.run("-input scene.txt -output fast.tga -stats -simd " + name);
-    CHECK_EQUAL(run.status, 0);
-    CHECK_EQUAL(statsValue(run.output, "instruction set"), used);
-    CHECK(contains(statsValue(run.output, "tree"), used));
-    const bool lacking = level != SimdLevel::automatic && used != name;
-    CHECK_EQUAL(run.errors, lacking
-                                ? "raytracer: warning: -simd " + name +
-                                      ": this processor does not have it; " + used + " is used\n"
-                                : "");
-    CHECK_EQUAL(desk.run("-input scene.txt -output x.tga -quiet -simd " + name).errors, "");
-    CHECK(check::contentOf(desk.file("fast.tga")) == check::contentOf(desk.file("tree.tga")));
-  }
-}
-
-TEST("-stats needs no image, and prints lines of names and values alone") {
-  const Desk desk;
-  const auto run = desk.run("-input scene.txt -stats -accel tree -threads 2");
-  CHECK_EQUAL(run.status, 0);
-  CHECK_EQUAL(run.errors, "");
-  CHECK_EQUAL(statsValue(run.output, "instruction set"), "none");
-  CHECK_EQUAL(statsValue(run.output, "tree"), "plain object tree");
-  CHECK_EQUAL(statsValue(run.output, "threads"), "2");
-  for (const char* name : {"reading", "building", "tracing", "writing"}) {
-    const std::string value = statsValue(run.output, std::string("seconds ") + name);
-    CHECK(!value.empty() && std::stod("0" + value) >= 0 && std::stod("0" + value) < 60);
-  }
-  CHECK_EQUAL(std::count(run.output.begin(), run.output.end(), '\n'), 7);
-  CHECK_EQUAL(desk.fileCount(), 1u);
-}
-
-TEST("-stats that cannot be printed is a failed output, and so is its image") {
-  const Desk desk;
-  CHECK_EQUAL(desk.run("-input scene.txt -stats >/dev/full").status, 1);
-  const auto run = desk.run("-input scene.txt -stats -output missing/out.tga");
-  CHECK_EQUAL(run.status, 1);
-  CHECK_EQUAL(run.output, "");
 }

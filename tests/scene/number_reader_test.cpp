@@ -19,20 +19,35 @@ bool isDouble(std::string_view word) {
   double value = 0;
   return readDouble(word, value);
 }
+/// The same bits, so that 0 and -0 differ.
+bool areSame(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool areSame(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Reads a word that stands alone, and the same word in a longer text, where it may be read eight
+/// bytes at a time: false unless the results are the same.
+bool readInText(std::string_view word, double& value, char behind = ' ') {
+  const std::string text = std::string(word) + behind + "12345678901234567890.123456e7";
+  double inText = -777;
+  const char* const stop = scanDouble(text.data(), text.data() + text.size(), inText);
+  return readDouble(word, value) && stop == text.data() + word.size() && areSame(value, inText);
+}
+bool readInText(std::string_view word, float& value, char behind = ' ') {
+  const std::string text = std::string(word) + behind + "12345678901234567890.123456e7";
+  float inText = -777;
+  const char* const stop = scanFloat(text.data(), text.data() + text.size(), inText);
+  return readFloat(word, value) && stop == text.data() + word.size() && areSame(value, inText);
+}
+
 double asDouble(std::string_view word) {
   double value = -777;
-  CHECK(readDouble(word, value));
+  CHECK(readInText(word, value));
   return value;
 }
 float asFloat(std::string_view word) {
   float value = -777;
-  CHECK(readFloat(word, value));
+  CHECK(readInText(word, value));
   return value;
 }
-
-/// The same bits, so that 0 and -0 differ.
-bool areSame(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-bool areSame(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// Words of every shape: few and many digits, points anywhere, exponents large and small.
 std::string randomWord(std::mt19937_64& random) {
@@ -80,6 +95,44 @@ TEST("what is not wholly a number is none") {
   CHECK(!isDouble(std::string_view("1\0", 2)));
 }
 
+TEST("numbers of every length end where they do, whatever stands behind") {
+  // Up to 9 digits before the point and 18 behind: all that is read at a stretch, and the next.
+  const std::string digits = "123456789012345678";
+  int count = 0;
+  for (std::size_t before = 0; before <= 9; ++before) {
+    for (std::size_t after = 0; after <= 18; ++after) {
+      for (const char* sign : {"", "-", "+"}) {
+        for (const char behind : {' ', '\n', '/', ':', '}', '\0', '\xb0', '-', ','}) {
+          const std::string word = sign + digits.substr(0, before) + "." + digits.substr(0, after);
+          const bool isNumberMeant = before + after > 0;
+          double value = 0;
+          float single = 0;
+          const bool isRight = readInText(word, value, behind) == isNumberMeant &&
+                               readInText(word, single, behind) == isNumberMeant &&
+                               (!isNumberMeant || (value == std::strtod(word.c_str(), nullptr) &&
+                                                   single == std::strtof(word.c_str(), nullptr)));
+          if (!isRight) check::report(false, __FILE__, __LINE__, word + behind);
+          ++count;
+        }
+      }
+    }
+  }
+  CHECK_EQUAL(count, 10 * 19 * 3 * 9);
+}
+
+TEST("what is no number is none in a long text either") {
+  const std::string behind = " 123456789012345678901234567890";
+  for (const char* word :
+       {"", "+", "-", ".", "+.", "e5", ".e5", "1e", "1.5e", "1e+", "x5", "--1"}) {
+    const std::string text = word + behind;
+    double value = 42;
+    float single = 42;
+    const char* const end = text.data() + text.size();
+    check::report(!scanDouble(text.data(), end, value) && value == 42, __FILE__, __LINE__, word);
+    check::report(!scanFloat(text.data(), end, single) && single == 42, __FILE__, __LINE__, word);
+  }
+}
+
 TEST("overflow is refused and underflow gives denormals and zero") {
   // The largest double is (2 - 2^-52) 2^1023 = 1.7976931348623157e308; half a unit more rounds up.
   CHECK_EQUAL(asDouble("1.7976931348623157e308"), std::numeric_limits<double>::max());
@@ -107,6 +160,12 @@ TEST("a float is rounded once, not by way of a double") {
   CHECK_EQUAL(asFloat("1.000000059604644775390624999999999999999"), 1.0f);
   CHECK_EQUAL(asFloat("16777217"), 16777216.0f);
   CHECK_EQUAL(asFloat("16777217.0000000000000000000000000001"), 16777218.0f);
+  // From 2^23 = 8388608 on floats are whole numbers. A trace of 1e-11 is lost in a double, where
+  // neighbours are 2e-9 apart.
+  CHECK_EQUAL(asFloat("8388608.5"), 8388608.0f);
+  CHECK_EQUAL(asFloat("8388609.5"), 8388610.0f);
+  CHECK_EQUAL(asFloat("8388608.50000000001"), 8388609.0f);
+  CHECK_EQUAL(asFloat("-8388609.49999999999"), -8388609.0f);
 }
 
 TEST("digits beyond any buffer still decide") {
@@ -162,8 +221,8 @@ TEST("ten million random words agree with std::from_chars to the last bit") {
       const bool isIn = std::from_chars(start, end, expected).ec == std::errc();
       const bool isSingleIn = std::from_chars(start, end, expectedSingle).ec == std::errc();
       // from_chars refuses underflow, which here gives a zero or a denormal: see the tests above.
-      if ((isIn && !(readDouble(word, value) && areSame(value, expected))) ||
-          (isSingleIn && !(readFloat(word, single) && areSame(single, expectedSingle)))) {
+      if ((isIn && !(readInText(word, value) && areSame(value, expected))) ||
+          (isSingleIn && !(readInText(word, single) && areSame(single, expectedSingle)))) {
         if (++wrong == 1) std::printf("%s\n", word.c_str());
       }
       read += isIn && isSingleIn;
@@ -189,7 +248,7 @@ TEST("numbers halfway between two floats or doubles, and a trace beside them, ar
       const std::string full = word + tail;
       double value = 0;
       float single = 0;
-      const bool isRight = readDouble(full, value) && readFloat(full, single) &&
+      const bool isRight = readInText(full, value) && readInText(full, single) &&
                            areSame(value, std::strtod(full.c_str(), nullptr)) &&
                            areSame(single, std::strtof(full.c_str(), nullptr));
       if (!isRight) check::report(false, __FILE__, __LINE__, full);

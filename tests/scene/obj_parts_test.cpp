@@ -63,18 +63,42 @@ std::string randomMesh(Random& random, int rareness) {
                                       "g x \\",          "f -3/1 -2 -1",
                                       " \tv 3 2 1",      "",
                                       "o # f 1"};
-  static const char* const kBad[] = {"f 1 2", "f 0 1 2",      "f 99 1 2",  "f -99 1 2",
-                                     "v 1 2", "v x y",        "f 1 2/a 3", "\\",
-                                     "\\ x",  "f 1 2 3/1/1/1"};
+  static const char* const kPlain[] = {"v 1.5 -22.25 333.125",
+                                       "v 0.123456789 -7. +.5",
+                                       "v 1234567.5 12345678 0.12345678901234567890",
+                                       "v 1e3 2.5E-1 -0",
+                                       "v 0.1 16777217 0.3 0.7 0.9",
+                                       "v\t1 2 3",
+                                       "v  1.5  2.5  3.5 ",
+                                       "f 1 2 3 ",
+                                       "f  4 2 1",
+                                       "f 1/12345678/1 2/1/12345678 3",
+                                       "f 1/ 2// 3/1/",
+                                       "f 0000001 00000002 3",
+                                       "f 4//4 3//3 2//2",
+                                       "f 1 2 3 4 1 2",
+                                       "f 1 +2 3",
+                                       "f 1 2 3 # 4"};
+  static const char* const kBad[] = {
+      "f 1 2",      "f 0 1 2",       "f 99 1 2",         "f -99 1 2",
+      "v 1 2",      "v x y",         "f 1 2/a 3",        "\\",
+      "\\ x",       "f 1 2 3/1/1/1", "f 1 2 4294967298", "f 1 2 30000000",
+      "v 1 2 3x",   "f 1 2 3.",      "v 1 2 1e",         "f 1 2 3/1/1x",
+      "v 1e99 1 2", "f 1 2 3 0",     "f 1 0 2",          "f 2 1 0"};
   std::string text = random.index(4) == 0 ? "\xEF\xBB\xBF" : "";
   text += "v 1 2 3\nv 4 5 6\nv 7 8 9\nv 1 1 1\n";
   const int count = random.index(30);
   for (int i = 0; i < count; ++i) {
     const bool isBad = random.index(rareness) == 0;
-    text += isBad ? kBad[random.index(10)] : kGood[random.index(15)];
+    const bool isPlain = random.index(2) == 0;
+    text += isBad     ? kBad[random.index(20)]
+            : isPlain ? kPlain[random.index(16)]
+                      : kGood[random.index(15)];
     text += random.index(5) == 0 ? "\r\n" : i + 1 == count && random.index(2) == 0 ? "" : "\n";
   }
-  return text;
+  // Plain statements are read at a stretch where much text stands behind them, never in parts of
+  // a few bytes.
+  return random.index(4) == 0 ? text : text + "\n# " + std::string(150, '1') + "\n";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "check.h"
+#include "random.h"
 #include "scene/source_text.h"
 #include "scene/wording.h"
 
@@ -79,4 +80,35 @@ TEST("the nearest word is found for a slip and none for another word") {
   CHECK_EQUAL(nearestWord("lPane", kAllowed), "Plane");
   CHECK_EQUAL(nearestWord(std::string(1'000'000, 'S'), kAllowed), "");
   CHECK_EQUAL(listed(kAllowed), "Sphere, Plane, TriangleMesh or Triangle");
+}
+
+TEST("random bytes are cut into the words that one byte after the other gives") {
+  // Blanks in rows and words of all lengths.
+  const std::string letters = "   \n\t\r\v\f{}#//ab-.0129|~z!\x7f\x01\x1f\x80\xff";
+  Random random(41);
+  std::size_t found = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text;
+    for (int size = random.index(60); size > 0; --size) {
+      const char letter = letters[std::size_t(random.index(int(letters.size())))];
+      text.append(std::size_t(random.index(4) == 0 ? random.index(20) : 1), letter);
+    }
+    std::string expected;
+    bool isInWord = false, isInComment = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+      const char c = text[at];
+      const bool isSpace = c == ' ' || (c >= '\t' && c <= '\r'), isBrace = c == '{' || c == '}';
+      isInComment = isInComment && c != '\n';
+      if (isInComment) continue;
+      isInComment = !isInWord && (c == '#' || text.compare(at, 2, "//") == 0);
+      if (isInComment) continue;
+      if (!isSpace && (isBrace || !isInWord) && !expected.empty()) expected += '|';
+      if (!isSpace) expected += c;
+      isInWord = !isSpace && !isBrace;
+    }
+    const std::string cut = words(text);
+    if (cut != expected) check::report(false, __FILE__, __LINE__, text + ": " + cut);
+    found += cut.size();
+  }
+  CHECK(found > 50'000);
 }

@@ -1,0 +1,40 @@
+// GridView: the cells of a grid that hold anything, as opaque boxes to look at.
+// The objects themselves are not seen; of planes, which have no place in a grid, nothing is.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "accel/grid_frame.h"
+#include "geometry/object3d.h"
+
+class GridView : public Object3D {
+ public:
+  /// Divides the box of all bounded objects below `root` into cells. A cell is occupied where the
+  /// world box of a sphere, a triangle or a face of a mesh has a part in it; one that only touches
+  /// its side does not count. A cell of n objects is drawn in palette[n - 1], the last colour
+  /// standing for all larger n. The palette is not empty; its materials are not owned. Time and
+  /// memory grow with the objects and the cells, not with their product.
+  GridView(const Object3D& root, const GridSize& size, std::vector<const Material*> palette);
+
+  /// Nothing where the scene has no bounded object.
+  const std::optional<GridFrame>& frame() const { return frame_; }
+  /// How many objects have a part in a cell.
+  std::uint32_t objectsIn(const GridSize& cell) const { return counts_[frame_->indexOf(cell)]; }
+
+  /// The nearest side of an occupied cell: the one that the ray enters by, with its normal towards
+  /// the ray, or, where the ray starts inside such a cell, the one it leaves by. Parts are numbered
+  /// as the cells; a ray that leaves a cell never meets the same one.
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
+  bool isBounded() const override { return true; }
+
+ private:
+  void count(const BoundingBox& box);
+  void sumCounts();
+
+  std::vector<const Material*> palette_;  // not owned
+  BoundingBox box_;
+  std::optional<GridFrame> frame_;
+  std::vector<std::uint32_t> counts_;
+};

@@ -1,0 +1,126 @@
+// GridFrame and CellWalk: one division for each plane that a ray passes.
+#include "accel/grid_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+/// The least thickness of a grid: of its longest side, and of its largest coordinate.
+constexpr double kThinnest = 0x1p-10, kFinest = 0x1p-40;
+
+}  // namespace
+
+double CellRange::count() const {
+  double product = 1;
+  for (int axis = 0; axis < 3; ++axis) product *= last[axis] - first[axis] + 1;
+  return product;
+}
+
+GridFrame::GridFrame(const BoundingBox& box, const GridSize& size) : size_(size) {
+  const double largest = std::max(maxAbs(box.low()), maxAbs(box.high()));
+  const double least = std::max(box.longestSide() * kThinnest, largest * kFinest);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double thickness = box.high()[axis] - box.low()[axis];
+    const double missing = least > 0 ? std::max(least - thickness, 0.0) : 1;
+    low_[axis] = box.low()[axis] - missing / 2;
+    side_[axis] = (thickness + missing) / size[axis];
+  }
+}
+
+std::size_t GridFrame::cellCount() const {
+  return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
+}
+
+int GridFrame::cellAt(int axis, double x) const {
+  const double number = std::floor((x - low_[axis]) / side_[axis]);
+  return number > 0 ? int(std::min(number, double(size_[axis] - 1))) : 0;  // 0 for NaN
+}
+
+CellRange GridFrame::touchedBy(const BoundingBox& box) const {
+  CellRange range{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double first = std::ceil((box.low()[axis] - low_[axis]) / side_[axis]) - 1;
+    range.first[axis] = int(std::clamp(first, 0.0, double(size_[axis] - 1)));
+    range.last[axis] = cellAt(axis, box.high()[axis]);
+  }
+  return range;
+}
+
+CellRange GridFrame::overlappedBy(const BoundingBox& box) const {
+  CellRange range{};
+  for (int axis = 0; axis < 3; ++axis) {
+    range.first[axis] = cellAt(axis, box.low()[axis]);
+    const double last = std::ceil((box.high()[axis] - low_[axis]) / side_[axis]) - 1;
+    range.last[axis] = int(std::clamp(last, double(range.first[axis]), double(size_[axis] - 1)));
+  }
+  return range;
+}
+
+CellWalk::CellWalk(const GridFrame& frame, const Ray& ray, double tmin)
+    : frame_(&frame), origin_(ray.getOrigin()), direction_(ray.getDirection()) {
+  atEnd_ = !enter(tmin);
+  if (atEnd_) return;
+  for (int axis = 0; axis < 3; ++axis) findExit(axis);
+  chooseExit();
+}
+
+/// The t at which the ray passes a plane; the direction has a part along `axis`.
+double CellWalk::timeAt(int axis, int plane) const {
+  return (frame_->plane(axis, plane) - origin_[axis]) / direction_[axis];
+}
+
+/// Finds the first cell; false where there is none.
+bool CellWalk::enter(double tmin) {
+  double entered = -kInf, left = kInf;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int end = frame_->size()[axis];
+    const double o = origin_[axis], d = direction_[axis];
+    if (d == 0) {
+      if (!(o >= frame_->plane(axis, 0) && o <= frame_->plane(axis, end))) return false;
+      continue;
+    }
+    const double near = timeAt(axis, d > 0 ? 0 : end), far = timeAt(axis, d > 0 ? end : 0);
+    if (!(near <= far)) return false;  // not a number
+    if (near > entered) {
+      entered = near;
+      enterAxis_ = axis;
+    }
+    left = std::min(left, far);
+  }
+  if (!(entered <= left && tmin <= left)) return false;
+  if (!(entered > tmin)) enterAxis_ = -1;
+  enterT_ = std::max(entered, tmin);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = direction_[axis];
+    if (axis == enterAxis_) {
+      cell_[axis] = d > 0 ? 0 : frame_->size()[axis] - 1;
+    } else {
+      cell_[axis] = frame_->cellAt(axis, d == 0 ? origin_[axis] : origin_[axis] + d * enterT_);
+    }
+  }
+  return enterT_ < kInf && enterT_ > -kInf;
+}
+
+void CellWalk::findExit(int axis) {
+  const double d = direction_[axis];
+  exits_[axis] = d == 0 ? kInf : timeAt(axis, cell_[axis] + (d > 0 ? 1 : 0));
+}
+
+void CellWalk::chooseExit() {
+  exitAxis_ = exits_[1] < exits_[0] ? 1 : 0;
+  if (exits_[2] < exits_[exitAxis_]) exitAxis_ = 2;
+}
+
+void CellWalk::advance() {
+  const int axis = exitAxis_;
+  enterT_ = std::max(enterT_, exits_[axis]);
+  enterAxis_ = axis;
+  cell_[axis] += direction_[axis] > 0 ? 1 : -1;
+  atEnd_ = cell_[axis] < 0 || cell_[axis] >= frame_->size()[axis] || !(enterT_ < kInf);
+  if (atEnd_) return;
+  findExit(axis);
+  chooseExit();
+}

@@ -1,0 +1,148 @@
+// The occupied cells of a grid as boxes to look at.
+#include "accel/grid_view.h"
+
+#include "check.h"
+#include "geometry/plane.h"
+#include "geometry/sphere.h"
+#include "random_scene.h"
+#include "vectors.h"
+
+using accel_test::Owner;
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// Two balls of radius 0.5 in opposite corners of the cube from (-1, -1, -1) to (1, 1, 1), whose
+/// grid has cells of side 0.5: each ball has a part in the eight cells around its centre, and in no
+/// other.
+struct TwoBalls {
+  Owner owner;
+  Group group;
+  std::vector<const Material*> palette;
+
+  TwoBalls() {
+    for (const double at : {-0.5, 0.5}) {
+      group.addObject(&owner.make<Sphere>(Vec3d(at, at, at), 0.5, owner.material(0)));
+    }
+    for (int i = 0; i < 3; ++i) palette.push_back(owner.material(i));
+  }
+  GridView view() const { return GridView(group, {4, 4, 4}, palette); }
+};
+
+void checkHit(const GridView& view, const Ray& ray, double tmin, double t, const Vec3d& normal) {
+  Hit hit;
+  CHECK(view.intersect(ray, hit, tmin));
+  CHECK_EQUAL(hit.getT(), t);
+  CHECK(hit.getNormal() == normal);
+}
+
+}  // namespace
+
+TEST("the side by which a ray enters the first occupied cell is seen, with its normal") {
+  const TwoBalls scene;
+  const GridView view = scene.view();
+  checkHit(view, Ray({5, 0.6, 0.6}, {-1, 0, 0}), 0, 4, {1, 0, 0});
+  checkHit(view, Ray({-0.3, -5, -0.3}, {0, 2, 0}), 0, 2, {0, -1, 0});
+  checkHit(view, Ray({0.6, 0.6, 5}, {0, 0, -1}), 0, 4, {0, 0, 1});
+  // Through free cells of the grid to the second ball: from z = 1 down to z = 0.
+  checkHit(view, Ray({-0.3, -0.3, 5}, {0, 0, -1}), 0, 5, {0, 0, 1});
+  // The corner between the balls is free.
+  Hit hit;
+  CHECK(!view.intersect(Ray({0.6, -0.6, 5}, {0, 0, -1}), hit, 0));
+}
+
+TEST("with tmin = -infinity the first cell is found wherever the ray begins") {
+  const TwoBalls scene;
+  checkHit(scene.view(), Ray({0.6, 0.6, -7}, {0, 0, -1}), -kInf, -8, {0, 0, 1});
+}
+
+TEST("a ray that starts inside an occupied cell sees the side by which it leaves") {
+  // From (0.6, 0.6, 0.6) up: the cell ends at z = 1.
+  const TwoBalls scene;
+  const GridView view = scene.view();
+  checkHit(view, Ray({0.6, 0.6, 0.6}, {0, 0, 1}), 0, 1 - 0.6, {0, 0, 1});
+  // From a free cell inside the grid: (0.6, 0.6, -0.6) up to z = 0.
+  checkHit(view, Ray({0.6, 0.6, -0.6}, {0, 0, 1}), 0, 0.6, {0, 0, -1});
+}
+
+TEST("a ray that leaves a cell does not meet it again") {
+  const TwoBalls scene;
+  const GridView view = scene.view();
+  Hit hit;
+  CHECK(view.intersect(Ray({5, 0.6, 0.6}, {-1, 0, 0}), hit, 0));
+  Ray away({0.99, 0.6, 0.6}, {1, 0, 0});  // as if rounding had put the point inside
+  away.setSource(hit.getObject(), hit.getPart());
+  Hit next;
+  CHECK(!view.intersect(away, next, 0));
+}
+
+TEST("only what is nearer than the hit so far is found") {
+  const TwoBalls scene;
+  Hit near(4);
+  CHECK(!scene.view().intersect(Ray({5, 0.6, 0.6}, {-1, 0, 0}), near, 0));
+  CHECK(near.getMaterial() == nullptr);
+}
+
+TEST("a cell counts the objects that have a part in it, and its colour follows") {
+  Owner owner;
+  Group group;
+  std::vector<const Material*> palette = {owner.material(0), owner.material(1)};
+  group.addObject(&owner.make<Plane>(Vec3d(0, 1, 0), -1.0, owner.material(0)));  // has no place
+  Random random(5);
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < 60; ++i) {
+    spheres.emplace_back(random.inCube(-3, 3), random.uniform(0.05, 1), owner.material(0));
+  }
+  for (const Sphere& sphere : spheres) group.addObject(&sphere);
+  const GridView view(group, {7, 9, 5}, palette);
+  const GridFrame& frame = *view.frame();
+  int most = 0, free = 0;
+  GridSize at;
+  for (at[0] = 0; at[0] < 7; ++at[0]) {
+    for (at[1] = 0; at[1] < 9; ++at[1]) {
+      for (at[2] = 0; at[2] < 5; ++at[2]) {
+        int expected = 0;
+        for (const Sphere& sphere : spheres) {
+          bool inside = true;
+          for (int axis = 0; axis < 3; ++axis) {
+            const double c = sphere.getCenter()[axis], r = sphere.getRadius();
+            const int number = at[axis];
+            inside = inside && c - r < frame.plane(axis, number + 1) &&
+                     c + r > frame.plane(axis, number);
+          }
+          expected += inside;
+        }
+        CHECK_EQUAL(int(view.objectsIn(at)), expected);
+        most = std::max(most, expected);
+        free += expected == 0;
+      }
+    }
+  }
+  CHECK(most > 3 && free > 3);
+}
+
+TEST("cells of many objects share the last colour") {
+  Owner owner;
+  Group group;
+  for (int i = 0; i < 5; ++i) {
+    group.addObject(&owner.make<Sphere>(Vec3d(), 1.0, owner.material(3)));
+  }
+  for (int colors = 1; colors <= 4; ++colors) {
+    std::vector<const Material*> palette;
+    for (int i = 0; i < colors; ++i) palette.push_back(owner.material(i));
+    Hit hit;
+    CHECK(GridView(group, {1, 1, 1}, palette).intersect(Ray({0, 0, 5}, {0, 0, -1}), hit, 0));
+    CHECK(hit.getMaterial() == palette.back());
+  }
+}
+
+TEST("nothing is seen of a scene without bounded objects") {
+  Owner owner;
+  Group group;
+  group.addObject(&owner.make<Plane>(Vec3d(0, 1, 0), -1.0, owner.material(0)));
+  const GridView view(group, {3, 3, 3}, {owner.material(0)});
+  Hit hit;
+  CHECK(!view.frame().has_value());
+  CHECK(!view.intersect(Ray({0, 5, 0}, {0, -1, 0}), hit, 0));
+}
