@@ -163,3 +163,12 @@ TEST("the checkpoint stays where an output fails, and a disk that is full costs 
   CHECK_EQUAL(desk.run(small + "g -checkpoint c", "ulimit -f 0;").status, 1);
   CHECK(!desk.exists("g"));
 }
+
+TEST("messages never end up in the checkpoint where standard error is closed") {
+  const Desk desk;
+  const std::string command = "-output a -normals none/b -checkpoint c";
+  for (int run = 0; run < 2; ++run) CHECK_EQUAL(desk.run(command + " 2>&-").status, 1);
+  CHECK_EQUAL(desk.run(command).errors,
+              "raytracer: none/b: cannot be written: No such file or directory\n"
+              "raytracer: c: taken up with 100 % done\n");
+}
