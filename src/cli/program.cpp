@@ -7,6 +7,7 @@
 #include <new>
 
 #include "cli/checkpoint.h"
+#include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "cli/sampling_arguments.h"
@@ -37,13 +38,6 @@ std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
-int print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return kDone;
-  complain("cannot write to standard output");
-  return kOutputFailed;
-}
-
 int checkScene(const Options& options) {
   const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
     return SceneParser::check(options.input.c_str());
@@ -65,13 +59,24 @@ bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples;
 }
 
+FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
+
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
-    if (output.kind == Output::Kind::color) targets.color = &output.image;
-    if (output.kind == Output::Kind::depth) targets.depth = &output.image;
-    if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::color) {
+      targets.color = &output.image;
+      targets.exactColor = exactOf(output);
+    }
+    if (output.kind == Output::Kind::depth) {
+      targets.depth = &output.image;
+      targets.exactDepth = exactOf(output);
+    }
+    if (output.kind == Output::Kind::normals) {
+      targets.normals = &output.image;
+      targets.exactNormals = exactOf(output);
+    }
     if (output.kind == Output::Kind::samples) targets.samples = &output.image;
   }
   targets.depthMin = options.depthMin;
@@ -151,22 +156,19 @@ SceneParser readScene(const Options& options, Digest& digest) {
   });
 }
 
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  Digest sceneDigest = {};
-  SceneParser scene = readScene(options, sceneDigest);
-  checkFiles(options, scene.getMeshFiles());
+void prepareScene(SceneParser& scene, const Options& options) {
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
-  stats.readSeconds = watch.restart();
+}
 
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
+/// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
+/// Where a checkpoint is wanted, `scene` is what `sceneDigest` is of, and the checkpoint is
+/// returned.
+std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest& sceneDigest,
+                                          const Options& options, std::vector<Output>& outputs,
+                                          Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -181,8 +183,25 @@ int renderScene(const Options& options) {
     targets.keeper = checkpoint.get();
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
-  watch.restart();
   if (checkpoint) checkpoint->stop();
+  return checkpoint;
+}
+
+int renderScene(const Options& options) {
+  Stats stats;
+  Stopwatch watch;
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
+  checkFiles(options, scene.getMeshFiles());
+  prepareScene(scene, options);
+  stats.readSeconds = watch.restart();
+
+  std::vector<Output> outputs = wantedOutputs(options);
+  const std::size_t wanted = outputs.size();
+  dropUnwritable(outputs);
+  if (outputs.empty() && wanted > 0) return kOutputFailed;
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
+  watch.restart();
   const std::size_t written = writeAll(outputs);
   if (checkpoint && written == wanted) checkpoint->remove();
   stats.writeSeconds = watch.restart();
@@ -195,16 +214,35 @@ int runHere(const Options& options) {
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
   if (options.check) return checkScene(options);
+  if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
   return renderScene(options);
 }
 
 }  // namespace
 
+std::vector<Output> renderPictures(const Options& options) {
+  Stats stats;
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
+  prepareScene(scene, options);
+  std::vector<Output> outputs = wantedOutputs(options);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
+  if (checkpoint) checkpoint->remove();
+  return outputs;
+}
+
 int runProgram(const Options& options) {
   int status = kDone;
   runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
   return status;
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
 }
 
 void complain(const std::string& message) {

@@ -32,12 +32,12 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// Long enough (some seconds at least) to be ended in between; small enough not to be a burden.
-const std::string kLong = "-size 80 60 -random_samples 3000 -normals n -depth 2 6 d -output ";
+const std::string kLong = "-size 80 60 -random_samples 3000 -normals n -depth 2 6 d.pfm -output ";
 
 /// Starts the long run, and ends it by the signal when it has saved so many bytes of tiles.
 /// False where the run was through before.
 bool endAfter(const Desk& desk, std::size_t bytes, int signal) {
-  StartedProgram program("-input scene.txt " + kLong + "a -checkpoint c", desk.path());
+  StartedProgram program("-input scene.txt " + kLong + "a.pfm -checkpoint c", desk.path());
   while (program.isRunning()) {
     if (desk.exists("c") && desk.size("c") >= kHeader + bytes) {
       const int status = program.end(signal);
@@ -53,23 +53,23 @@ bool endAfter(const Desk& desk, std::size_t bytes, int signal) {
 /// as it was seen to hold, and the picture must not be there.
 void checkTakenUp(int signal) {
   const Desk desk;
-  CHECK_EQUAL(desk.run(kLong + "whole").status, 0);
-  const std::string depth = desk.content("d"), normals = desk.content("n");
-  fs::remove(desk.file("d"));
+  CHECK_EQUAL(desk.run(kLong + "whole.pfm").status, 0);
+  const std::string depth = desk.content("d.pfm"), normals = desk.content("n");
+  fs::remove(desk.file("d.pfm"));
   fs::remove(desk.file("n"));
   std::size_t saved = 0;
   for (int ends = 0; ends < 3; ++ends) {
     if (!endAfter(desk, saved + 1, signal)) break;
     CHECK(desk.size("c") > kHeader + saved);
     saved = desk.size("c") - kHeader;
-    CHECK(!desk.exists("a") && !desk.exists("d") && !desk.exists("n"));
+    CHECK(!desk.exists("a.pfm") && !desk.exists("d.pfm") && !desk.exists("n"));
   }
   CHECK(saved > 0);
-  const check::ProgramRun last = desk.run(kLong + "a -checkpoint c -threads 3 -accel tree");
+  const check::ProgramRun last = desk.run(kLong + "b.pfm -checkpoint c -threads 3 -accel tree");
   CHECK_EQUAL(last.status, 0);
   CHECK(contains(last.errors, "raytracer: c: taken up with "));
-  CHECK(desk.content("a") == desk.content("whole"));
-  CHECK(desk.content("d") == depth);
+  CHECK(desk.content("b.pfm") == desk.content("whole.pfm"));
+  CHECK(desk.content("d.pfm") == depth);
   CHECK(desk.content("n") == normals);
   CHECK(!desk.exists("c"));
 }
@@ -107,15 +107,15 @@ TEST("SIGTERM saves what is finished, even before the first interval is over") {
 TEST("a checkpoint of other inputs or options is refused, whole or not, and stays as it is") {
   const Desk desk;
   CHECK(endAfter(desk, 1, SIGTERM));
-  const std::string kept = desk.content("c"), command = kLong + "a -checkpoint c ";
+  const std::string kept = desk.content("c"), command = kLong + "a.pfm -checkpoint c ";
   const auto refused = [&](const std::string& more) {
     const check::ProgramRun run = desk.run(command + more);
     return run.status == 2 && contains(run.errors, "was made from another scene") &&
-           desk.content("c") == kept && !desk.exists("a");
+           desk.content("c") == kept && !desk.exists("a.pfm");
   };
   CHECK(refused("-bounces 4"));
   CHECK(refused("-size 60 80"));
-  CHECK(refused("-depth 2 7 d"));
+  CHECK(refused("-depth 2 7 d.pfm"));
   const std::string mesh = desk.content("mesh.obj"), scene = desk.content("scene.txt");
   desk.write("mesh.obj", mesh + "#");
   CHECK(refused(""));
