@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "accel/compiled_scene.h"
+#include "cli/checkpoint.h"
 #include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
@@ -18,6 +18,7 @@
 #include "render/renderer.h"
 #include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
+#include "scene/source_text.h"
 #include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
@@ -163,9 +164,14 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-SceneParser readScene(const Options& options) {
-  return withMemory("to read " + displayName(options.input),
-                    [&] { return SceneParser(options.input.c_str()); });
+/// Reads the scene; gives the digest of its bytes where a checkpoint needs it.
+SceneParser readScene(const Options& options, Digest& digest) {
+  return withMemory("to read " + displayName(options.input), [&] {
+    const SourceText text = SourceText::read(options.input);
+    const std::string_view bytes = text.bytes();
+    if (!options.checkpoint.empty()) digest = sha256(bytes.data(), bytes.size());
+    return SceneParser(text);
+  });
 }
 
 void prepareScene(SceneParser& scene, const Options& options) {
@@ -176,24 +182,34 @@ void prepareScene(SceneParser& scene, const Options& options) {
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-void renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
-                   Stats& stats) {
+/// Where a checkpoint is wanted, `scene` is what `sceneDigest` is of, and the checkpoint is
+/// returned.
+std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest& sceneDigest,
+                                          const Options& options, std::vector<Output>& outputs,
+                                          Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
-  const RenderTargets targets = withMemory("for images of " + size, [&] {
+  RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
+  std::unique_ptr<Checkpoint> checkpoint;
   if (wantsRays(targets)) {
+    checkpoint =
+        openCheckpoint(options, sceneDigest, scene.getMeshFiles(), threadCount(options), targets);
+    targets.keeper = checkpoint.get();
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
+  if (checkpoint) checkpoint->stop();
+  return checkpoint;
 }
 
 int renderScene(const Options& options) {
   Stats stats;
   Stopwatch watch;
-  SceneParser scene = readScene(options);
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   checkFiles(options, scene.getMeshFiles());
   prepareScene(scene, options);
   stats.readSeconds = watch.restart();
@@ -202,9 +218,10 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
-  renderOutputs(scene, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
+  if (checkpoint && written == wanted) checkpoint->remove();
   stats.writeSeconds = watch.restart();
   const int printed = options.stats ? print(stats.text()) : kDone;
   return written == wanted ? printed : kOutputFailed;
@@ -245,10 +262,12 @@ int runWithin(int megabytes, const Options& options) {
 
 std::vector<Output> renderPictures(const Options& options) {
   Stats stats;
-  SceneParser scene = readScene(options);
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   prepareScene(scene, options);
   std::vector<Output> outputs = wantedOutputs(options);
-  renderOutputs(scene, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
+  if (checkpoint) checkpoint->remove();
   return outputs;
 }
 
