@@ -1,6 +1,7 @@
 // Reading the command line.
 #include "cli/options.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "cli/inspection.h"
@@ -45,6 +46,29 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
   return found;
 }
 
+/// The last of equal arguments wins.
+void note(const GivenOption& option, std::vector<GivenOption>& given) {
+  const auto isSame = [&](const GivenOption& other) { return other.name == option.name; };
+  given.erase(std::remove_if(given.begin(), given.end(), isSame), given.end());
+  given.push_back(option);
+}
+
+void checkStandardOutput(const Options& options) {
+  const bool prints = options.stats || wantsInspection(options) || !options.materialsOutput.empty();
+  if (options.check || !prints) return;
+  for (const std::string& file :
+       {options.output, options.depthOutput, options.normalsOutput, options.samplesOutput,
+        options.filterOutput, options.materialsOutput, options.heatmapOutput,
+        options.pixelObjOutput}) {
+    if (file != "-") continue;
+    throw UsageError(std::string(options.stats                   ? "-stats"
+                                 : options.tracesPixel           ? "-pixel"
+                                 : options.heatmapOutput.empty() ? "-materials"
+                                                                 : "-heatmap") +
+                     ": expected standard output for its lines, found an image there");
+  }
+}
+
 void checkGridPicture(const Options& options) {
   if (options.gridPicture == Options::GridPicture::none) return;
   if (options.accel == Options::Accel::grid) return;
@@ -74,6 +98,7 @@ void checkComplete(const Options& options) {
                          !options.normalsOutput.empty() || !options.samplesOutput.empty() ||
                          !options.filterOutput.empty() || !options.materialsOutput.empty() ||
                          wantsInspection(options) || options.stats || options.check;
+  checkStandardOutput(options);
   if (!anyOutput)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
@@ -91,7 +116,9 @@ Options parseOptions(const std::vector<std::string>& words) {
     const OptionRow* row = findOption(nameOf(words[at]));
     if (!row) failUnknown(words[at]);
     const std::vector<std::string> following = followingWords(words, at, *row);
-    row->apply({row->name, following}, options);
+    const GivenOption option = {row->name, following};
+    row->apply(option, options);
+    note(option, options.given);
     given.push_back(row);
     at += 1 + following.size();
   }

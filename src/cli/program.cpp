@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "accel/compiled_scene.h"
+#include "cli/checkpoint.h"
 #include "cli/compare_run.h"
 #include "cli/inspection.h"
 #include "cli/option_table.h"
@@ -19,6 +19,7 @@
 #include "render/renderer.h"
 #include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
+#include "scene/source_text.h"
 #include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
@@ -168,9 +169,24 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-SceneParser readScene(const Options& options, ObjectPlaces& places) {
+/// What is noted of a scene while it is read, as far as it is needed.
+struct ReadNotes {
+  Digest digest = {};   ///< of its bytes, for a checkpoint
+  ObjectPlaces places;  ///< for -pixel
+};
+
+/// What is left to do when all is rendered.
+struct Rendered {
+  std::unique_ptr<Checkpoint> checkpoint;  ///< null where none is wanted
+  std::string lastLines;                   ///< to be printed last
+};
+
+SceneParser readScene(const Options& options, ReadNotes& notes) {
   return withMemory("to read " + displayName(options.input), [&] {
-    return SceneParser(options.input.c_str(), options.tracesPixel ? &places : nullptr);
+    const SourceText text = SourceText::read(options.input);
+    const std::string_view bytes = text.bytes();
+    if (!options.checkpoint.empty()) notes.digest = sha256(bytes.data(), bytes.size());
+    return SceneParser(text, options.tracesPixel ? &notes.places : nullptr);
   });
 }
 
@@ -182,9 +198,10 @@ void prepareScene(SceneParser& scene, const Options& options) {
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-/// Returns what inspect() does.
-std::string renderOutputs(const SceneParser& scene, const ObjectPlaces& places,
-                          const Options& options, std::vector<Output>& outputs, Stats& stats) {
+/// Where a checkpoint is wanted, `scene` is what notes.digest is of, and the checkpoint is
+/// returned.
+Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const Options& options,
+                       std::vector<Output>& outputs, Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -194,21 +211,27 @@ std::string renderOutputs(const SceneParser& scene, const ObjectPlaces& places,
     return targetsOf(options, outputs, unwritten);
   });
   targets.materialColors = &materialColors;
-  std::string lastLines;
+  Rendered rendered;
   const auto inspectAll = [&](const Object3D& geometry) {
-    lastLines = inspect({scene, places, geometry}, options, stats.threads, outputs);
+    rendered.lastLines = inspect({scene, notes.places, geometry}, options, stats.threads, outputs);
   };
+  if (wantsRays(targets)) {
+    rendered.checkpoint =
+        openCheckpoint(options, notes.digest, scene.getMeshFiles(), threadCount(options), targets);
+    targets.keeper = rendered.checkpoint.get();
+  }
   if (wantsRays(targets) || wantsInspection(options)) {
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
   }
-  return lastLines;
+  if (rendered.checkpoint) rendered.checkpoint->stop();
+  return rendered;
 }
 
 int renderScene(const Options& options) {
   Stats stats;
   Stopwatch watch;
-  ObjectPlaces places;
-  SceneParser scene = readScene(options, places);
+  ReadNotes notes;
+  SceneParser scene = readScene(options, notes);
   checkFiles(options, scene.getMeshFiles());
   prepareScene(scene, options);
   stats.readSeconds = watch.restart();
@@ -217,12 +240,13 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
-  const std::string lastLines = renderOutputs(scene, places, options, outputs, stats);
+  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
+  if (rendered.checkpoint && written == wanted) rendered.checkpoint->remove();
   stats.writeSeconds = watch.restart();
   const std::string statsText = options.stats ? stats.text() : "";
-  const int printed = print(legendOf(scene, outputs) + statsText + lastLines);
+  const int printed = print(legendOf(scene, outputs) + statsText + rendered.lastLines);
   return written == wanted ? printed : kOutputFailed;
 }
 
@@ -261,11 +285,12 @@ int runWithin(int megabytes, const Options& options) {
 
 std::vector<Output> renderPictures(const Options& options) {
   Stats stats;
-  ObjectPlaces places;
-  SceneParser scene = readScene(options, places);
+  ReadNotes notes;
+  SceneParser scene = readScene(options, notes);
   prepareScene(scene, options);
   std::vector<Output> outputs = wantedOutputs(options);
-  renderOutputs(scene, places, options, outputs, stats);
+  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
+  if (rendered.checkpoint) rendered.checkpoint->remove();
   return outputs;
 }
 

@@ -8,8 +8,10 @@
 #include "scene/scene_builder.h"
 #include "scene/source_text.h"
 
-SceneParser::SceneParser(const char* filename, ObjectPlaces* places) {
-  const SourceText text = SourceText::read(filename);
+SceneParser::SceneParser(const char* filename, ObjectPlaces* places)
+    : SceneParser(SourceText::read(filename), places) {}
+
+SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places) {
   MistakeLog log(MistakeLog::Mode::throwFirst);
   SceneBuilder builder(text, log, *this);
   if (places) {
