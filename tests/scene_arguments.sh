@@ -1,4 +1,4 @@
-# To be read by a POSIX shell script: the command that a scene's comment gives.
+# The command that a scene's comment gives.
 
 # The arguments in a scene's line `# raytracer -input NAME.txt -output NAME.tga ARGUMENTS`, without
 # the names of the two files.
