@@ -21,6 +21,9 @@ struct OptionRow {
   /// Stores the argument in `options`; throws UsageError where its words are wrong. Called with as
   /// many words as `words` names.
   void (*apply)(const GivenOption& given, Options& options);
+  /// What kind of run it belongs to.
+  enum class Mode { rendering, comparing, both };
+  Mode mode = Mode::rendering;
 };
 
 /// All rows, those of one group together.

@@ -6,6 +6,8 @@
 #include <memory>
 #include <new>
 
+#include "accel/compiled_scene.h"
+#include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "cli/sampling_arguments.h"
@@ -35,13 +37,6 @@ std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
-int print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return kDone;
-  complain("cannot write to standard output");
-  return kOutputFailed;
-}
-
 int checkScene(const Options& options) {
   const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
     return SceneParser::check(options.input.c_str());
@@ -63,13 +58,24 @@ bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples;
 }
 
+FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
+
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
-    if (output.kind == Output::Kind::color) targets.color = &output.image;
-    if (output.kind == Output::Kind::depth) targets.depth = &output.image;
-    if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::color) {
+      targets.color = &output.image;
+      targets.exactColor = exactOf(output);
+    }
+    if (output.kind == Output::Kind::depth) {
+      targets.depth = &output.image;
+      targets.exactDepth = exactOf(output);
+    }
+    if (output.kind == Output::Kind::normals) {
+      targets.normals = &output.image;
+      targets.exactNormals = exactOf(output);
+    }
     if (output.kind == Output::Kind::samples) targets.samples = &output.image;
   }
   targets.depthMin = options.depthMin;
@@ -139,22 +145,21 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  SceneParser scene = withMemory("to read " + displayName(options.input),
-                                 [&] { return SceneParser(options.input.c_str()); });
-  checkFiles(options, scene.getMeshFiles());
+SceneParser readScene(const Options& options) {
+  return withMemory("to read " + displayName(options.input),
+                    [&] { return SceneParser(options.input.c_str()); });
+}
+
+void prepareScene(SceneParser& scene, const Options& options) {
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
-  stats.readSeconds = watch.restart();
+}
 
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
+/// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
+void renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
+                   Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -165,6 +170,21 @@ int renderScene(const Options& options) {
   if (wantsRays(targets)) {
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
+}
+
+int renderScene(const Options& options) {
+  Stats stats;
+  Stopwatch watch;
+  SceneParser scene = readScene(options);
+  checkFiles(options, scene.getMeshFiles());
+  prepareScene(scene, options);
+  stats.readSeconds = watch.restart();
+
+  std::vector<Output> outputs = wantedOutputs(options);
+  const std::size_t wanted = outputs.size();
+  dropUnwritable(outputs);
+  if (outputs.empty() && wanted > 0) return kOutputFailed;
+  renderOutputs(scene, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
@@ -177,16 +197,33 @@ int runHere(const Options& options) {
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
   if (options.check) return checkScene(options);
+  if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
   return renderScene(options);
 }
 
 }  // namespace
 
+std::vector<Output> renderPictures(const Options& options) {
+  Stats stats;
+  SceneParser scene = readScene(options);
+  prepareScene(scene, options);
+  std::vector<Output> outputs = wantedOutputs(options);
+  renderOutputs(scene, options, outputs, stats);
+  return outputs;
+}
+
 int runProgram(const Options& options) {
   int status = kDone;
   runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
   return status;
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
 }
 
 void complain(const std::string& message) {
