@@ -18,7 +18,7 @@ cases() {
   for scene in "$root"/scenes/*.txt; do
     echo "$(basename "$scene" .txt) $(arguments_of "$scene")$size"
   done
-  sed "s/\$/ $size/" "$root/tests/golden_options.txt"
+  sed "s/ / $size /" "$root/tests/golden_options.txt"
 }
 
 # hash_of SCENE ARGUMENTS: the hash of what the program writes; nothing where it fails.
@@ -46,7 +46,7 @@ case $mode:$program in
   check:/* | write:/*) ;;
   check:?* | write:?*) program=$PWD/$program ;;
   *)
-    sed -n 's/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,/^root/s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

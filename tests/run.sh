@@ -27,5 +27,5 @@ case $mode in
     exec sh "$root/tests/${mode#--}.sh" "$@"
     ;;
 esac
-sed -n 's/^# \{0,1\}//p' "$0" >&2
+sed -n '2,/^root/s/^# \{0,1\}//p' "$0" >&2
 exit 2
