@@ -4,12 +4,13 @@
 #include "cli/program.h"
 #include "image/output_file.h"
 #include "scene/input_error.h"
+#include "system/standard_files.h"
 
 namespace {
 
-int runCommandLine(const std::vector<std::string>& words) {
+int runCommandLine(int argc, char** argv) {
   try {
-    return runProgram(parseOptions(words));
+    return runProgram(parseOptions(std::vector<std::string>(argv + (argc > 0), argv + argc)));
   } catch (const UsageError& error) {
     complain(error.what());
     return kWrongUsage;
@@ -28,7 +29,7 @@ int runCommandLine(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepStandardFiles();
   removeTemporaryOnSignals();
-  return runCommandLine(argc > 1 ? std::vector<std::string>(argv + 1, argv + argc)
-                                 : std::vector<std::string>());
+  return runCommandLine(argc, argv);
 }

@@ -3,6 +3,7 @@
 #
 #   sh tests/run.sh                      the ordinary tests
 #   sh tests/run.sh --numbers [SCENES]   so many random scenes (500) against long double
+#   sh tests/run.sh --fuzz [SECONDS]     each fuzz target for so long (60), where clang has libFuzzer
 #   sh tests/run.sh --portability        the same pictures from other compilers and processors
 #   sh tests/run.sh --sanitize           the tests under ASan and UBSan, TSan and valgrind
 #   sh tests/run.sh --lint               clang-tidy and cppcheck
@@ -22,6 +23,12 @@ case $mode in
     install_missing
     build_program --target unit_tests
     RAYTRACER_NUMBERS=${1:-500} exec "$build/unit_tests" long_double_test
+    ;;
+  --fuzz)
+    install_missing
+    . "$root/tests/fuzz/fuzz.sh"
+    fuzz_all "${1:-60}"
+    exit
     ;;
   --portability | --sanitize | --lint | --coverage)
     exec sh "$root/tests/${mode#--}.sh" "$@"

@@ -62,7 +62,9 @@ std::vector<OptionRow> fileRows() {
        [](Given given, Options& o) { o.input = inputName(given); }},
       {group, "output", nullptr, "FILE", nullptr,
        "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
-       "missing or unknown; so it does for the other images",
+       "missing or unknown; so it does for the other images; - is standard output, for one image "
+       "of "
+       "a run",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
@@ -125,6 +127,13 @@ std::vector<OptionRow> runningRows() {
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
        [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); },
        OptionRow::Mode::both},
+      {group, "memory_limit", nullptr, "MB", nullptr,
+       "end the run with a message rather than take more than so many megabytes of memory (2^20 "
+       "bytes each), 1 to 100000000 (default: no limit)",
+       [](Given given, Options& o) {
+         o.memoryLimit = wholeNumber(given, 0, "MB", 1, kMaxMemoryLimit);
+       },
+       OptionRow::Mode::both},
       {group, "accel", nullptr, "NAME", "fast",
        "fast, or tree: the plain object tree, for checking", setAccel},
       {group, "grid", nullptr, "NX NY NZ", nullptr,
@@ -141,6 +150,10 @@ std::vector<OptionRow> runningRows() {
        "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
        "best; the image never depends on it",
        setSimd},
+      {group, "checkpoint", nullptr, "FILE", nullptr,
+       "keep finished parts of the picture in FILE, from which the same command takes up after the "
+       "program was ended; FILE is removed when the picture is done",
+       [](Given given, Options& o) { o.checkpoint = plainFileName(given); }},
       {group, "stats", nullptr, "", nullptr,
        "print what was used and how long it took, in lines of NAME: VALUE",
        [](Given, Options& o) { o.stats = true; }},

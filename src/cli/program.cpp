@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 
-#include "accel/compiled_scene.h"
+#include "cli/checkpoint.h"
 #include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
@@ -14,7 +16,10 @@
 #include "cli/scene_geometry.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
+#include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
+#include "scene/source_text.h"
+#include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -23,13 +28,18 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-/// Returns work(); where memory runs out, throws an error that says what it was needed for.
+class OutOfMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Returns work(); where memory runs out, throws OutOfMemory, which says what it was needed for.
 template <class Work>
 auto withMemory(const std::string& purpose, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("not enough memory " + purpose);
+    throw OutOfMemory("not enough memory " + purpose);
   }
 }
 
@@ -42,12 +52,21 @@ int checkScene(const Options& options) {
     return SceneParser::check(options.input.c_str());
   });
   for (const InputError& mistake : mistakes) complain(mistake.what());
+  if (mistakes.size() >= MistakeLog::kCapacity) {
+    complain(displayName(options.input) + ": reading ended with mistake number " +
+             std::to_string(mistakes.size()));
+  }
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
 }
 
+/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
 int threadCount(const Options& options) {
-  return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  constexpr int kMegabytesEach = 8;
+  const int wanted =
+      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  if (options.memoryLimit == 0) return wanted;
+  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
 }
 
 bool needsClosedMeshes(const RenderOptions& render) {
@@ -145,9 +164,14 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-SceneParser readScene(const Options& options) {
-  return withMemory("to read " + displayName(options.input),
-                    [&] { return SceneParser(options.input.c_str()); });
+/// Reads the scene; gives the digest of its bytes where a checkpoint needs it.
+SceneParser readScene(const Options& options, Digest& digest) {
+  return withMemory("to read " + displayName(options.input), [&] {
+    const SourceText text = SourceText::read(options.input);
+    const std::string_view bytes = text.bytes();
+    if (!options.checkpoint.empty()) digest = sha256(bytes.data(), bytes.size());
+    return SceneParser(text);
+  });
 }
 
 void prepareScene(SceneParser& scene, const Options& options) {
@@ -158,24 +182,34 @@ void prepareScene(SceneParser& scene, const Options& options) {
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-void renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
-                   Stats& stats) {
+/// Where a checkpoint is wanted, `scene` is what `sceneDigest` is of, and the checkpoint is
+/// returned.
+std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest& sceneDigest,
+                                          const Options& options, std::vector<Output>& outputs,
+                                          Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
-  const RenderTargets targets = withMemory("for images of " + size, [&] {
+  RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
+  std::unique_ptr<Checkpoint> checkpoint;
   if (wantsRays(targets)) {
+    checkpoint =
+        openCheckpoint(options, sceneDigest, scene.getMeshFiles(), threadCount(options), targets);
+    targets.keeper = checkpoint.get();
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
+  if (checkpoint) checkpoint->stop();
+  return checkpoint;
 }
 
 int renderScene(const Options& options) {
   Stats stats;
   Stopwatch watch;
-  SceneParser scene = readScene(options);
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   checkFiles(options, scene.getMeshFiles());
   prepareScene(scene, options);
   stats.readSeconds = watch.restart();
@@ -184,9 +218,10 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
-  renderOutputs(scene, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
+  if (checkpoint && written == wanted) checkpoint->remove();
   stats.writeSeconds = watch.restart();
   const int printed = options.stats ? print(stats.text()) : kDone;
   return written == wanted ? printed : kOutputFailed;
@@ -202,21 +237,42 @@ int runHere(const Options& options) {
   return renderScene(options);
 }
 
+int runOnOwnStack(const Options& options) {
+  int status = kDone;
+  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
+  return status;
+}
+
+/// Names the limit where it is what ended the run.
+int runWithin(int megabytes, const Options& options) {
+  const std::string limit = "-memory_limit " + std::to_string(megabytes) + ": ";
+  limitMemory(std::size_t(megabytes) << 20);
+  try {
+    return runOnOwnStack(options);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(limit + "not enough memory");
+  } catch (const OutOfMemory& error) {
+    throw std::runtime_error(limit + error.what());
+  } catch (const std::system_error& error) {  // no room for a thread's stack
+    throw std::runtime_error(limit + error.what());
+  }
+}
+
 }  // namespace
 
 std::vector<Output> renderPictures(const Options& options) {
   Stats stats;
-  SceneParser scene = readScene(options);
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   prepareScene(scene, options);
   std::vector<Output> outputs = wantedOutputs(options);
-  renderOutputs(scene, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
+  if (checkpoint) checkpoint->remove();
   return outputs;
 }
 
 int runProgram(const Options& options) {
-  int status = kDone;
-  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
-  return status;
+  return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
 }
 
 int print(const std::string& text) {
@@ -226,7 +282,6 @@ int print(const std::string& text) {
   return kOutputFailed;
 }
 
-void complain(const std::string& message) {
-  const std::string line = "raytracer: " + message + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
+void complain(std::string_view message) {
+  std::fprintf(stderr, "raytracer: %.*s\n", int(message.size()), message.data());
 }
