@@ -3,17 +3,7 @@
 # gives; installs a compiler and cmake where they are missing.
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
-
-# The arguments in a scene's line `# raytracer -input NAME.txt -output NAME.tga ARGUMENTS`, without
-# the names of the two files.
-arguments_of() {
-  sed -n 's/^#[[:space:]]*raytracer[[:space:]]//p' "$1" | head -n 1 | tr -d '\r' | awk '{
-    for (i = 1; i <= NF; i++) {
-      if ($i ~ /^--?(input|output)$/) i++
-      else printf "%s ", $i
-    }
-  }'
-}
+. "$root/tests/scene_arguments.sh"
 
 now() {
   date +%s.%N

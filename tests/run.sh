@@ -1,19 +1,38 @@
 #!/bin/sh
 # Builds the program and runs all tests; installs a compiler and cmake where they are missing.
-#   sh tests/run.sh                      all tests
+#
+#   sh tests/run.sh                      the ordinary tests
 #   sh tests/run.sh --numbers [SCENES]   so many random scenes (500) against long double
 #   sh tests/run.sh --fuzz [SECONDS]     each fuzz target for so long (60), where clang has libFuzzer
+#   sh tests/run.sh --portability        the same pictures from other compilers and processors
+#   sh tests/run.sh --sanitize           the tests under ASan and UBSan, TSan and valgrind
+#   sh tests/run.sh --lint               clang-tidy and cppcheck
+#   sh tests/run.sh --coverage           lines and branches that the tests run
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
 
-install_missing
-if [ "${1:-}" = --numbers ]; then
-  build_program --target unit_tests
-  RAYTRACER_NUMBERS=${2:-500} exec "$build/unit_tests" long_double_test
-fi
-if [ "${1:-}" = --fuzz ]; then
-  . "$root/tests/fuzz/fuzz.sh"
-  fuzz_all "${2:-60}"
-fi
-build_program
-cd "$build" && exec ctest --output-on-failure
+mode=${1:-}
+[ $# -eq 0 ] || shift
+case $mode in
+  '')
+    install_missing
+    build_program
+    cd "$build" && exec ctest --output-on-failure
+    ;;
+  --numbers)
+    install_missing
+    build_program --target unit_tests
+    RAYTRACER_NUMBERS=${1:-500} exec "$build/unit_tests" long_double_test
+    ;;
+  --fuzz)
+    install_missing
+    . "$root/tests/fuzz/fuzz.sh"
+    fuzz_all "${1:-60}"
+    exit
+    ;;
+  --portability | --sanitize | --lint | --coverage)
+    exec sh "$root/tests/${mode#--}.sh" "$@"
+    ;;
+esac
+sed -n '2,/^root/s/^# \{0,1\}//p' "$0" >&2
+exit 2

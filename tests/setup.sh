@@ -27,21 +27,27 @@ missing_packages() {
   have make || have ninja || printf ' make'
 }
 
-install_missing() {
-  packages=$(missing_packages)
-  [ -n "$packages" ] || return 0
-  have apt-get || fail "Please install$packages and run this again."
+# install PACKAGES: with apt-get, as root or by sudo; false, with a reason, where that cannot be.
+install() {
+  have apt-get || { echo "Please install: $*" >&2 && return 1; }
   as_root=
   if [ "$(id -u)" -ne 0 ]; then
-    have sudo || fail "Please install$packages (as root: apt-get install$packages)."
+    have sudo || { echo "Please install (as root: apt-get install $*)" >&2 && return 1; }
     as_root=sudo
   fi
-  echo "installing$packages"
-  # $as_root and $packages are lists of words.
+  echo "installing $*"
+  # $as_root is a list of words.
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y update ||
     echo 'The package lists could not be renewed; going on with the old ones.' >&2
   $as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get -q -y install --no-install-recommends $packages || fail "Could not install$packages."
+    apt-get -q -y install --no-install-recommends "$@"
+}
+
+install_missing() {
+  packages=$(missing_packages)
+  [ -n "$packages" ] || return 0
+  # $packages is a list of words.
+  install $packages || fail "Could not install$packages."
 }
 
 configure() {

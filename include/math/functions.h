@@ -1,6 +1,7 @@
 // pow, sin, cos, tan, exp, log of our own: the same bits on every processor and C library.
 // They use only + - * / and integer arithmetic on the bits, each of which IEEE 754 fixes.
 #pragma once
+#include "math/arithmetic.h"
 
 namespace math {
 

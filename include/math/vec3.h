@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "math/arithmetic.h"
+
 template <class T>
 class Vec3 {
  public:

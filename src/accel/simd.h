@@ -153,14 +153,15 @@ inline Float8 squareRoot(Float8 a) {
 }
 inline Float8 smaller(Float8 a, Float8 b) { return {a.v < b.v ? a.v : b.v}; }
 inline Float8 larger(Float8 a, Float8 b) { return {a.v > b.v ? a.v : b.v}; }
-inline Float8 absolute(Float8 a) { return {a.v < 0 ? -a.v : a.v}; }
+inline Float8 absolute(Float8 a) { return {FloatVector(IntVector(a.v) & 0x7fffffff)}; }
 inline Float8 withSignOf(Float8 a, Float8 b) {
-  for (int lane = 0; lane < 8; ++lane) a.v[lane] = b.v[lane] < 0 ? -a.v[lane] : a.v[lane];
-  return a;
+  const IntVector sign = IntVector(b.v) & ~0x7fffffff;
+  return {FloatVector(IntVector(a.v) ^ sign)};
 }
 inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
-  for (int lane = 0; lane < 8; ++lane) a.v[lane] = (bits >> lane & 1) != 0 ? a.v[lane] : b.v[lane];
-  return a;
+  const IntVector lanes = {1, 2, 4, 8, 16, 32, 64, 128};
+  const IntVector taken = (lanes & int(bits)) != 0;
+  return {taken ? a.v : b.v};
 }
 inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }

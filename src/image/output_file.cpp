@@ -24,7 +24,7 @@ std::string folderOf(const std::string& path) { return path.substr(0, path.rfind
 
 std::string canonical(const std::string& folder) {
   char* const found = realpath(folder.empty() ? "." : folder.c_str(), nullptr);
-  const std::string result = found ? found : "";
+  std::string result = found ? found : "";
   std::free(found);
   return result;
 }

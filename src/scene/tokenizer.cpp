@@ -10,7 +10,7 @@ enum class Kind : unsigned char { part, space, brace };
 
 constexpr std::array<Kind, 256> makeKinds() {
   std::array<Kind, 256> kinds{};
-  for (const char c : {' ', '\t', '\n', '\v', '\f', '\r'}) kinds[std::size_t(c)] = Kind::space;
+  for (const unsigned char c : {' ', '\t', '\n', '\v', '\f', '\r'}) kinds[c] = Kind::space;
   kinds[std::size_t('{')] = kinds[std::size_t('}')] = Kind::brace;
   return kinds;
 }
@@ -28,8 +28,7 @@ Tokenizer::Tokenizer(std::string_view bytes)
 std::string_view Tokenizer::next() {
   skipToWord();
   const char* const start = place_;
-  if (place_ == end_) return {start, 0};
-  if (kindOf(*place_) == Kind::brace) {
+  if (place_ != end_ && kindOf(*place_) == Kind::brace) {
     ++place_;
   } else {
     while (place_ != end_ && kindOf(*place_) == Kind::part) ++place_;

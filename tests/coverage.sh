@@ -1,0 +1,49 @@
+# Prints the lines and branches of scene/, image/ and cli/ that the tests run, as clang counts them,
+# and fails below 95 % of the lines of each and 90 % of the branches of all. To be run by run.sh.
+root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
+. "$root/tests/setup.sh"
+. "$root/tests/variants.sh"
+
+# report_of ROOMS: the table of llvm-cov for the files of these rooms.
+report_of() {
+  set -- $(for room in "$@"; do find "$root/src/$room" "$root/include/$room" -type f; done)
+  llvm-cov report -show-branch-summary -show-region-summary=false -instr-profile="$folder/all" \
+    "$folder/unit_tests" -object "$folder/raytracer" -sources "$@"
+}
+
+# share_of KIND: the percentage in the last line of a table: functions, lines, branches.
+share_of() {
+  awk -v kind="$1" '/^TOTAL/ {
+    gsub("%", "")
+    print kind == "lines" ? $7 : $10
+  }'
+}
+
+# at_least LIMIT SHARE WHAT
+at_least() {
+  if awk -v limit="$1" -v share="$2" 'BEGIN { exit !(share >= limit) }'; then
+    say enough "$2 % $3 (at least $1)"
+  else
+    say FAILED "$2 % $3 (at least $1)"
+  fi
+}
+
+install_missing
+needs clang++ clang && needs llvm-cov llvm || fail 'clang++ and llvm-cov are needed.'
+start_report coverage
+variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_CXX_FLAGS_RELEASE='-O1 -fprofile-instr-generate -fcoverage-mapping' || exit 1
+folder=$build/coverage
+rm -f "$folder"/*.profraw
+# %4m: all runs of a program are added up, in four files that take turns.
+LLVM_PROFILE_FILE=$folder/%4m.profraw
+export LLVM_PROFILE_FILE
+(cd "$folder" && ctest --timeout 3600 --output-on-failure) || say FAILED 'the tests'
+unset LLVM_PROFILE_FILE
+llvm-profdata merge -sparse "$folder"/*.profraw -o "$folder/all" || exit 1
+report_of scene image cli
+for room in scene image cli; do
+  at_least 95 "$(report_of $room | share_of lines)" "of the lines of $room/"
+done
+at_least 90 "$(report_of scene image cli | share_of branches)" 'of the branches of all three'
+end_report

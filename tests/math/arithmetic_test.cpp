@@ -1,0 +1,60 @@
+// Same bytes everywhere: what the program computes with, and that a build cannot change it.
+#include "math/arithmetic.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "check.h"
+#include "run_program.h"
+
+namespace {
+
+/// Whether a file that includes math/arithmetic.h compiles with `options`.
+bool compilesWith(const std::string& options) {
+  const std::string include = check::testsFolder() + "/../include";
+  const std::string command = std::string("echo '#include \"math/arithmetic.h\"' | ") +
+                              RAYTRACER_COMPILER + " -std=c++17 -x c++ -fsyntax-only -I " +
+                              check::quoted(include) + " " + options + " - >/dev/null 2>&1";
+  return std::system(command.c_str()) == 0;
+}
+
+TEST("a product is rounded before it is added to") {
+  // (1 + u)(1 - u) = 1 - u^2 with u = 2^-30 lies 2^-60 below 1, and rounds to 1 (the spacing below
+  // 1 is 2^-53): minus 1 that is 0, while a fused multiply-add would keep -2^-60.
+  const volatile double a = 1 + 0x1p-30, b = 1 - 0x1p-30, one = 1;
+  const double x = a, y = b, z = one;
+  CHECK_EQUAL(x * y - z, 0.0);
+  // In float u = 2^-15, and the spacing below 1 is 2^-24.
+  const volatile float c = 1 + 0x1p-15f, d = 1 - 0x1p-15f, unit = 1;
+  const float p = c, q = d, r = unit;
+  CHECK_EQUAL(p * q - r, 0.0f);
+}
+
+TEST("numbers too small for full precision are kept, not flushed to zero") {
+  const volatile double least = std::numeric_limits<double>::min();
+  CHECK(least / 4 > 0);
+  CHECK_EQUAL(least / 4 * 4, double(least));
+  const volatile float small = std::numeric_limits<float>::min();
+  CHECK(small / 4 > 0);
+}
+
+TEST("roots are rounded to the nearest number") {
+  // (1 + 2^-52)^2 = 1 + 2^-51 + 2^-104; 1 + 2^-51 has the root 1 + 2^-52 - 2^-105 + ..., which is
+  // nearest to 1 + 2^-52.
+  const volatile double square = 1 + 0x1p-51;
+  CHECK_EQUAL(std::sqrt(square), 1 + 0x1p-52);
+}
+
+TEST("a compiler that may bend the rules of arithmetic is refused") {
+  if (!compilesWith("")) SKIP("the compiler of this build cannot be run here");
+  for (const char* options : {"-ffast-math", "-Ofast", "-ffinite-math-only"}) {
+    check::report(!compilesWith(options), __FILE__, __LINE__, options);
+  }
+}
+
+TEST("a processor mode that computes with more digits is refused") {
+  if (!compilesWith("-mfpmath=sse")) SKIP("no x87 here");
+  CHECK(!compilesWith("-mfpmath=387"));
+}
+
+}  // namespace
