@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
+#include "render/tile_keeper.h"
 #include "scene/scene_parser.h"
 
 /// The pictures wanted; null where one is not. All that are given have the same size, but
@@ -19,6 +20,7 @@ struct RenderTargets {
   int samplesZoom = 1;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
+  TileKeeper* keeper = nullptr;  ///< null: nobody keeps tiles
 };
 
 /// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`

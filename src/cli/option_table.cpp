@@ -60,7 +60,8 @@ std::vector<OptionRow> fileRows() {
        "scene to read (always needed); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
       {group, "output", nullptr, "FILE", nullptr,
-       "image to write; the ending picks the format, TGA where it is missing or unknown",
+       "image to write; the ending picks the format, TGA where it is missing or unknown; - is "
+       "standard output, for one image of a run",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
@@ -138,6 +139,10 @@ std::vector<OptionRow> runningRows() {
        "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
        "best; the image never depends on it",
        setSimd},
+      {group, "checkpoint", nullptr, "FILE", nullptr,
+       "keep finished parts of the picture in FILE, from which the same command takes up after the "
+       "program was ended; FILE is removed when the picture is done",
+       [](Given given, Options& o) { o.checkpoint = plainFileName(given); }},
       {group, "stats", nullptr, "", nullptr,
        "print what was used and how long it took, in lines of NAME: VALUE",
        [](Given, Options& o) { o.stats = true; }},

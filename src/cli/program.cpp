@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 
+#include "cli/checkpoint.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "cli/sampling_arguments.h"
@@ -13,6 +14,7 @@
 #include "cli/stats.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
+#include "scene/source_text.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -139,11 +141,21 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
+/// Reads the scene; gives the digest of its bytes where a checkpoint needs it.
+SceneParser readScene(const Options& options, Digest& digest) {
+  return withMemory("to read " + displayName(options.input), [&] {
+    const SourceText text = SourceText::read(options.input);
+    const std::string_view bytes = text.bytes();
+    if (!options.checkpoint.empty()) digest = sha256(bytes.data(), bytes.size());
+    return SceneParser(text);
+  });
+}
+
 int renderScene(const Options& options) {
   Stats stats;
   Stopwatch watch;
-  SceneParser scene = withMemory("to read " + displayName(options.input),
-                                 [&] { return SceneParser(options.input.c_str()); });
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   checkFiles(options, scene.getMeshFiles());
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
@@ -158,15 +170,21 @@ int renderScene(const Options& options) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
-  const RenderTargets targets = withMemory("for images of " + size, [&] {
+  RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
+  std::unique_ptr<Checkpoint> checkpoint;
   if (wantsRays(targets)) {
+    checkpoint =
+        openCheckpoint(options, sceneDigest, scene.getMeshFiles(), threadCount(options), targets);
+    targets.keeper = checkpoint.get();
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
   watch.restart();
+  if (checkpoint) checkpoint->stop();
   const std::size_t written = writeAll(outputs);
+  if (checkpoint && written == wanted) checkpoint->remove();
   stats.writeSeconds = watch.restart();
   const int printed = options.stats ? print(stats.text()) : kDone;
   return written == wanted ? printed : kOutputFailed;

@@ -42,14 +42,20 @@ class TileRenderer {
 
   int tileCount() const { return columns() * rows(); }
 
-  void renderTile(int tile) const {
+  PixelRectangle areaOf(int tile) const {
     const int left = tile % columns() * kTileSize, bottom = tile / columns() * kTileSize;
+    return {left, bottom, std::min(left + kTileSize, width_),
+            std::min(bottom + kTileSize, height_)};
+  }
+
+  void renderTile(int tile) const {
+    const PixelRectangle area = areaOf(tile);
     Pixel pixels[kTilePixels];
     RayTracer::TracedRay rays[kTilePixels];
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
-      const Pixel pixel = {left + evenBits(place), bottom + evenBits(place >> 1)};
-      if (pixel.i >= width_ || pixel.j >= height_) continue;
+      const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
+      if (!area.contains(pixel)) continue;
       pixels[count] = pixel;
       rays[count++] = {
           camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_)),
@@ -112,17 +118,23 @@ struct Watch {
   }
 };
 
-/// Renders all tiles on so many threads, each with a renderer that makeRenderer(tracer) gives.
+/// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a
+/// renderer that makeRenderer(tracer) gives.
 template <class MakeRenderer>
-void renderTiles(const Watch& watch, const RenderOptions& options, int threads,
-                 const MakeRenderer& makeRenderer) {
+void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderOptions& options,
+                 int threads, const MakeRenderer& makeRenderer) {
   const int tiles = makeRenderer(watch.tracer).tileCount();
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
   runOnThreads(std::min(threads, tiles), stack, [&](int thread) {
     const RayTracer tracer = watch.tracerOf(thread);
     const auto renderer = makeRenderer(tracer);
-    for (int tile; (tile = next++) < tiles;) renderer.renderTile(tile);
+    for (int tile; (tile = next++) < tiles;) {
+      const PixelRectangle area = renderer.areaOf(tile);
+      if (targets.keeper && targets.keeper->isFinished(targets, area)) continue;
+      renderer.renderTile(tile);
+      if (targets.keeper) targets.keeper->finish(targets, area);
+    }
   });
 }
 
@@ -135,15 +147,17 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   RenderTargets central = targets;
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
+    RenderTargets ofSamples = targets;
+    ofSamples.depth = ofSamples.normals = nullptr;
     // Rays around a tile are traced again: to count the same, tiles must have the same size.
     const int tileThreads = views.empty() ? threads : kWatchedThreads;
-    renderTiles(watch, options, threads, [&](const RayTracer& own) {
+    renderTiles(watch, ofSamples, options, threads, [&](const RayTracer& own) {
       return SampledRenderer({*scene.getCamera(), own, size.x(), size.y()}, options.sampling,
-                             targets, tileThreads);
+                             ofSamples, tileThreads);
     });
     central.color = central.samples = nullptr;
     if (!anyOf(central)) return;
   }
-  renderTiles(watch, options, threads,
+  renderTiles(watch, central, options, threads,
               [&](const RayTracer& own) { return TileRenderer(scene, own, central); });
 }

@@ -18,10 +18,10 @@ class SampledRenderer {
                   const RenderTargets& targets, int threads);
 
   int tileCount() const;
+  PixelRectangle areaOf(int tile) const;
   void renderTile(int tile) const;
 
  private:
-  PixelRectangle areaOf(int tile) const;
   void store(const Film& film, const PixelRectangle& area) const;
 
   const SampledScene scene_;
