@@ -7,6 +7,8 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid_frame.h"
+#include "cli/compare_options.h"
+#include "cli/part_options.h"
 #include "render/render_options.h"
 
 /// A mistake in the command line: what() says what was expected and what was found.
@@ -52,6 +54,10 @@ struct Options {
   std::string filterOutput;   ///< picture of the filter's weights, filterZoom times as large
   int filterZoom = 1;         ///< likewise, with 1 pixel more each way
 
+  PartOptions part;        ///< what of the picture is rendered
+  CompareOptions compare;  ///< a mode of its own: there is then no scene
+  MergeOptions merge;      ///< likewise
+
   RenderOptions render;
   int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
   Accel accel = Accel::fast;
@@ -73,9 +79,11 @@ struct Options {
 
 /// Reads the command line `words`, without the program's own name. Throws UsageError at the first
 /// mistake. Unless help or the version is asked for, the result names a scene and something to do
-/// with it; that no two files are the same is left to checkFiles.
+/// with it, or two things to compare, or parts to merge; that no two files are the same is left to
+/// checkFiles.
 Options parseOptions(const std::vector<std::string>& words);
 
-/// Throws UsageError where two outputs name the same file, or an output is the scene or one of
-/// `meshFiles`. Links are followed; a device such as /dev/null may be named more than once.
+/// Throws UsageError where two outputs name the same file, or an output is the scene, one of
+/// `meshFiles` or a part to merge. Links are followed; a device such as /dev/null may be named more
+/// than once.
 void checkFiles(const Options& options, const std::vector<std::string>& meshFiles = {});

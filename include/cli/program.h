@@ -16,3 +16,6 @@ int runProgram(const Options& options);
 
 /// Writes "raytracer: " + message + a line break to standard error.
 void complain(const std::string& message);
+
+/// Writes `text` to standard output and returns kDone, or complains and returns kOutputFailed.
+int print(const std::string& text);

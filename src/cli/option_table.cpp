@@ -1,7 +1,9 @@
 // The table of all arguments.
 #include "cli/option_table.h"
 
+#include "cli/compare_arguments.h"
 #include "cli/option_values.h"
+#include "cli/part_arguments.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
@@ -57,11 +59,12 @@ std::vector<OptionRow> fileRows() {
   const char* group = "Files";
   return {
       {group, "input", nullptr, "FILE", nullptr,
-       "scene to read (always needed); - is standard input",
+       "scene to read (needed but for -compare and -merge); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
       {group, "output", nullptr, "FILE", nullptr,
-       "image to write; the ending picks the format, TGA where it is missing or unknown; - is "
-       "standard output, for one image of a run",
+       "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
+       "missing or unknown; so it does for the other images; - is standard output, for one image "
+       "of a run",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
@@ -122,7 +125,8 @@ std::vector<OptionRow> runningRows() {
   return {
       {group, "threads", nullptr, "N", nullptr,
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
-       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
+       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); },
+       OptionRow::Mode::both},
       {group, "accel", nullptr, "NAME", "fast",
        "fast, or tree: the plain object tree, for checking", setAccel},
       {group, "grid", nullptr, "NX NY NZ", nullptr,
@@ -147,17 +151,18 @@ std::vector<OptionRow> runningRows() {
        "print what was used and how long it took, in lines of NAME: VALUE",
        [](Given, Options& o) { o.stats = true; }},
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
-       [](Given, Options& o) { o.quiet = true; }},
+       [](Given, Options& o) { o.quiet = true; }, OptionRow::Mode::both},
       {group, "help", nullptr, "", nullptr, "print this list",
-       [](Given, Options& o) { o.help = true; }},
+       [](Given, Options& o) { o.help = true; }, OptionRow::Mode::both},
       {group, "version", nullptr, "", nullptr, "print the version",
-       [](Given, Options& o) { o.version = true; }},
+       [](Given, Options& o) { o.version = true; }, OptionRow::Mode::both},
   };
 }
 
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
-  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), runningRows()})
+  for (const auto& rows :
+       {fileRows(), lightRows(), samplingRows(), partRows(), compareRows(), runningRows()})
     table.insert(table.end(), rows.begin(), rows.end());
   return table;
 }
@@ -180,4 +185,9 @@ int countWords(const OptionRow& row) {
   int count = 1;
   for (const char* c = row.words; *c; ++c) count += *c == ' ';
   return count;
+}
+
+bool takesMore(const OptionRow& row) {
+  const std::string words = row.words;
+  return words.size() >= 3 && words.compare(words.size() - 3, 3, "...") == 0;
 }

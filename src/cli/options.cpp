@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/option_table.h"
+#include "cli/part_arguments.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
@@ -42,6 +43,11 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
                        (ended ? "the end of the command" : ::quoted(words[next])));
     found.push_back(words[next]);
   }
+  if (!takesMore(row)) return found;
+  for (std::size_t next = at + 1 + found.size(); next < words.size(); ++next) {
+    if (!nameOf(words[next]).empty()) break;
+    found.push_back(words[next]);
+  }
   return found;
 }
 
@@ -70,8 +76,24 @@ void checkGridPicture(const Options& options) {
                    (options.accel == Options::Accel::tree ? " but -accel tree" : ""));
 }
 
+/// -compare and -merge are modes of their own: what only renders has no place beside them, nor the
+/// other way round. `given` are the rows of all arguments.
+void checkMode(const Options& options, const std::vector<const OptionRow*>& given) {
+  using Mode = OptionRow::Mode;
+  const Mode mode = options.compare.isWanted() ? Mode::comparing
+                    : options.merge.isWanted() ? Mode::merging
+                                               : Mode::rendering;
+  for (const OptionRow* row : given) {
+    const std::string name = std::string("-") + row->name;
+    if (row->mode == Mode::both || row->mode == mode) continue;
+    if (mode == Mode::rendering)
+      throw UsageError(name + ": expected -compare EXPECTED ACTUAL too, found none");
+    throw UsageError(name + " cannot be given together with " +
+                     (mode == Mode::comparing ? "-compare" : "-merge"));
+  }
+}
+
 void checkComplete(const Options& options) {
-  if (options.help || options.version || options.shortHelp) return;
   checkGridPicture(options);
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
@@ -89,17 +111,23 @@ void checkComplete(const Options& options) {
 Options parseOptions(const std::vector<std::string>& words) {
   Options options;
   options.shortHelp = words.empty();
+  std::vector<const OptionRow*> given;
   std::size_t at = 0;
   while (at < words.size()) {
     const OptionRow* row = findOption(nameOf(words[at]));
     if (!row) failUnknown(words[at]);
     const std::vector<std::string> following = followingWords(words, at, *row);
-    const GivenOption given = {row->name, following};
-    row->apply(given, options);
-    note(given, options.given);
+    const GivenOption option = {row->name, following};
+    row->apply(option, options);
+    note(option, options.given);
+    given.push_back(row);
     at += 1 + following.size();
   }
+  if (options.help || options.version || options.shortHelp) return options;
+  checkMode(options, given);
+  if (options.compare.isWanted() || options.merge.isWanted()) return options;
   checkComplete(options);
   checkEnlargedSizes(options);
+  checkPart(options);
   return options;
 }

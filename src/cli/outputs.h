@@ -4,13 +4,17 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "image/float_image.h"
 #include "image/image.h"
+#include "image/tga.h"
 
 struct Output {
   enum class Kind { color, depth, normals, samples, filter };
   Kind kind;
   std::string file;
-  Image image;  ///< empty until makeImages
+  Image image;       ///< empty until makeImages
+  TgaPlace place;    ///< of a part, where the file is a TGA
+  FloatImage exact;  ///< its unclamped colours, empty where the format of the file has none
 };
 
 /// The outputs that `options` name, without their images.
@@ -19,9 +23,13 @@ std::vector<Output> wantedOutputs(const Options& options);
 /// Takes out of `outputs` those that cannot be written, complaining of each.
 void dropUnwritable(std::vector<Output>& outputs);
 
-/// Gives every output a black image of its size, and draws that of the filter. Throws
-/// std::bad_alloc where memory is short.
+/// Gives every output a black image of its size (that of a part where one is wanted), and draws
+/// that of the filter. Throws std::bad_alloc where memory is short.
 void makeImages(std::vector<Output>& outputs, const Options& options);
 
 /// Writes every output, complaining of each that fails, and returns how many were written.
 std::size_t writeAll(const std::vector<Output>& outputs);
+
+/// Reads the scene and renders the outputs that `options` name, without writing them. Prints the
+/// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
+std::vector<Output> renderPictures(const Options& options);

@@ -6,9 +6,14 @@
 #include <memory>
 #include <new>
 
+#include "accel/compiled_scene.h"
 #include "cli/checkpoint.h"
+#include "cli/compare_run.h"
+#include "cli/merge_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/part_arguments.h"
+#include "cli/part_id.h"
 #include "cli/sampling_arguments.h"
 #include "cli/scene_geometry.h"
 #include "cli/stats.h"
@@ -37,13 +42,6 @@ std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
-int print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return kDone;
-  complain("cannot write to standard output");
-  return kOutputFailed;
-}
-
 int checkScene(const Options& options) {
   const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
     return SceneParser::check(options.input.c_str());
@@ -65,20 +63,33 @@ bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples;
 }
 
+FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
+
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
+  const PixelRectangle area = renderedArea(options);
   RenderTargets targets;
+  targets.window = {area.left, area.bottom, options.width, options.height};
   for (Output& output : outputs) {
-    if (output.kind == Output::Kind::color) targets.color = &output.image;
-    if (output.kind == Output::Kind::depth) targets.depth = &output.image;
-    if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::color) {
+      targets.color = &output.image;
+      targets.exactColor = exactOf(output);
+    }
+    if (output.kind == Output::Kind::depth) {
+      targets.depth = &output.image;
+      targets.exactDepth = exactOf(output);
+    }
+    if (output.kind == Output::Kind::normals) {
+      targets.normals = &output.image;
+      targets.exactNormals = exactOf(output);
+    }
     if (output.kind == Output::Kind::samples) targets.samples = &output.image;
   }
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
   targets.samplesZoom = options.samplesZoom;
   if (!wantsRays(targets) && options.stats) {
-    unwritten = Image(options.width, options.height);
+    unwritten = Image(area.width(), area.height());
     targets.color = &unwritten;
   }
   return targets;
@@ -102,7 +113,7 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
     views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
   }
   render(scene, geometry.object(), options.render, stats.threads, targets, views);
-  stats.pixels = double(options.width) * options.height;
+  stats.pixels = double(renderedArea(options).pixelCount());
   for (const ThreadCounts& each : counts) {
     stats.rays.add(each.rays);
     stats.tests.add(each.tests);
@@ -141,34 +152,44 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-/// Reads the scene; gives the digest of its bytes where a checkpoint needs it.
+/// Reads the scene; gives the digest of its bytes where a checkpoint or a part needs it.
 SceneParser readScene(const Options& options, Digest& digest) {
   return withMemory("to read " + displayName(options.input), [&] {
     const SourceText text = SourceText::read(options.input);
     const std::string_view bytes = text.bytes();
-    if (!options.checkpoint.empty()) digest = sha256(bytes.data(), bytes.size());
+    if (!options.checkpoint.empty() || options.part.isWanted())
+      digest = sha256(bytes.data(), bytes.size());
     return SceneParser(text);
   });
 }
 
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  Digest sceneDigest = {};
-  SceneParser scene = readScene(options, sceneDigest);
-  checkFiles(options, scene.getMeshFiles());
+void prepareScene(SceneParser& scene, const Options& options) {
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
-  stats.readSeconds = watch.restart();
+}
 
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
+/// Tells the outputs, where they are parts, which picture they belong to.
+void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Options& options,
+               std::vector<Output>& outputs) {
+  if (!options.part.isWanted()) return;
+  const PixelRectangle area = renderedArea(options);
+  for (Output& output : outputs) {
+    const PartId id =
+        partIdOf(output.kind, options, sceneDigest, scene.getMeshFiles(), threadCount(options));
+    output.place = {area.left, options.height - area.top, textOf(id)};
+  }
+}
+
+/// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
+/// Returns the checkpoint, where one is wanted.
+std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest& sceneDigest,
+                                          const Options& options, std::vector<Output>& outputs,
+                                          Stats& stats) {
+  const PixelRectangle area = renderedArea(options);
   const std::string size =
-      std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
+      std::to_string(area.width()) + " x " + std::to_string(area.height()) + " pixels";
   Image unwritten;
   RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
@@ -181,6 +202,25 @@ int renderScene(const Options& options) {
     targets.keeper = checkpoint.get();
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
+  return checkpoint;
+}
+
+int renderScene(const Options& options) {
+  Stats stats;
+  Stopwatch watch;
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
+  checkFiles(options, scene.getMeshFiles());
+  prepareScene(scene, options);
+  stats.readSeconds = watch.restart();
+
+  std::vector<Output> outputs = wantedOutputs(options);
+  const std::size_t wanted = outputs.size();
+  dropUnwritable(outputs);
+  if (outputs.empty() && wanted > 0) return kOutputFailed;
+  setPlaces(scene, sceneDigest, options, outputs);
+  const std::unique_ptr<Checkpoint> checkpoint =
+      renderOutputs(scene, sceneDigest, options, outputs, stats);
   watch.restart();
   if (checkpoint) checkpoint->stop();
   const std::size_t written = writeAll(outputs);
@@ -195,16 +235,37 @@ int runHere(const Options& options) {
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
   if (options.check) return checkScene(options);
+  if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
+  if (options.merge.isWanted()) {
+    return withMemory("to merge", [&] { return runMerge(options.merge); });
+  }
   return renderScene(options);
 }
 
 }  // namespace
 
+std::vector<Output> renderPictures(const Options& options) {
+  Stats stats;
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
+  prepareScene(scene, options);
+  std::vector<Output> outputs = wantedOutputs(options);
+  renderOutputs(scene, sceneDigest, options, outputs, stats);
+  return outputs;
+}
+
 int runProgram(const Options& options) {
   int status = kDone;
   runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
   return status;
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
 }
 
 void complain(const std::string& message) {
