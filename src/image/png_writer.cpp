@@ -15,7 +15,7 @@ struct Effort {
   unsigned depth;
   int rounds;
 };
-constexpr Effort kThorough = {32, 512, 2}, kQuick = {0, 16, 1};
+constexpr Effort kThorough = {4, 32, 1}, kQuick = {0, 16, 1};
 constexpr std::size_t kMostThorough = 1 << 19;  // pixels
 constexpr std::size_t kStretch = 1 << 20;       // bytes that are compressed together, at least
 
