@@ -1,12 +1,14 @@
 #!/bin/sh
 # Builds the program and runs all tests; installs a compiler and cmake where they are missing.
-# With --farm: runs the tests that render with GNU parallel and a Slurm cluster of their own.
+#   sh tests/run.sh                      all tests
+#   sh tests/run.sh --numbers [SCENES]   so many random scenes (500) against long double
+#   sh tests/run.sh --fuzz [SECONDS]     each fuzz target for so long (60), where clang has libFuzzer
+#   sh tests/run.sh --farm               renders with GNU parallel and on a Slurm cluster of its own
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
 
 # Every script of tests/farm that is a test; one that is skipped (77) says why.
 run_farm() {
-  build_program --target raytracer
   status=0
   for test in parallel slurm; do
     sh "$root/tests/farm/$test.sh" "$build/raytracer" || [ $? -eq 77 ] || status=1
@@ -14,12 +16,18 @@ run_farm() {
   exit $status
 }
 
-case ${1:-} in
-  '') ;;
-  --farm) farm=yes ;;
-  *) fail "Usage: sh tests/run.sh [--farm]" ;;
-esac
 install_missing
-[ -z "${farm:-}" ] || run_farm
+if [ "${1:-}" = --numbers ]; then
+  build_program --target unit_tests
+  RAYTRACER_NUMBERS=${2:-500} exec "$build/unit_tests" long_double_test
+fi
+if [ "${1:-}" = --fuzz ]; then
+  . "$root/tests/fuzz/fuzz.sh"
+  fuzz_all "${2:-60}"
+fi
+if [ "${1:-}" = --farm ]; then
+  build_program --target raytracer
+  run_farm
+fi
 build_program
 cd "$build" && exec ctest --output-on-failure

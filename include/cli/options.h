@@ -20,6 +20,7 @@ class UsageError : public std::runtime_error {
 /// Limits of the arguments; TGA stores a side of the image in 16 bits.
 inline constexpr int kMaxImageSide = 65535;
 inline constexpr int kMaxThreads = 1024;
+inline constexpr int kMaxMemoryLimit = 100000000;  // MB
 
 /// One argument as it was given: its name without dashes and the words that follow it.
 struct GivenOption {
@@ -59,7 +60,8 @@ struct Options {
   MergeOptions merge;      ///< likewise
 
   RenderOptions render;
-  int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  int threads = 0;      ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  int memoryLimit = 0;  ///< MB (2^20 bytes) that the run may take, 1..kMaxMemoryLimit; 0 = no limit
   Accel accel = Accel::fast;
   GridSize gridSize{1, 1, 1};                   ///< with Accel::grid; at most kMaxGridCells cells
   GridPicture gridPicture = GridPicture::none;  ///< anything else only with Accel::grid

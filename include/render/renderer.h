@@ -34,7 +34,7 @@ struct RenderTargets {
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
   /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
-  PictureWindow window;
+  PictureWindow window{};
   TileKeeper* keeper = nullptr;  ///< null: nobody keeps tiles
 };
 

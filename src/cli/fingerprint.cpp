@@ -78,7 +78,7 @@ bool changesPicture(const std::string& name) {
                                             "render_samples", "render_filter",  // see addPictures
                                             "accel",          "threads",       "simd",  "stats",
                                             "quiet",          "check",         "help",  "version",
-                                            "checkpoint"};
+                                            "checkpoint",     "memory_limit"};
   return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
 }
 

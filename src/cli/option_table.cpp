@@ -127,6 +127,13 @@ std::vector<OptionRow> runningRows() {
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
        [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); },
        OptionRow::Mode::both},
+      {group, "memory_limit", nullptr, "MB", nullptr,
+       "end the run with a message rather than take more than so many megabytes of memory (2^20 "
+       "bytes each), 1 to 100000000 (default: no limit)",
+       [](Given given, Options& o) {
+         o.memoryLimit = wholeNumber(given, 0, "MB", 1, kMaxMemoryLimit);
+       },
+       OptionRow::Mode::both},
       {group, "accel", nullptr, "NAME", "fast",
        "fast, or tree: the plain object tree, for checking", setAccel},
       {group, "grid", nullptr, "NX NY NZ", nullptr,

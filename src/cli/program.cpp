@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 
 #include "accel/compiled_scene.h"
 #include "cli/checkpoint.h"
@@ -18,8 +20,10 @@
 #include "cli/scene_geometry.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
+#include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
 #include "scene/source_text.h"
+#include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -28,13 +32,18 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-/// Returns work(); where memory runs out, throws an error that says what it was needed for.
+class OutOfMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Returns work(); where memory runs out, throws OutOfMemory, which says what it was needed for.
 template <class Work>
 auto withMemory(const std::string& purpose, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("not enough memory " + purpose);
+    throw OutOfMemory("not enough memory " + purpose);
   }
 }
 
@@ -47,12 +56,21 @@ int checkScene(const Options& options) {
     return SceneParser::check(options.input.c_str());
   });
   for (const InputError& mistake : mistakes) complain(mistake.what());
+  if (mistakes.size() >= MistakeLog::kCapacity) {
+    complain(displayName(options.input) + ": reading ended with mistake number " +
+             std::to_string(mistakes.size()));
+  }
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
 }
 
+/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
 int threadCount(const Options& options) {
-  return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  constexpr int kMegabytesEach = 8;
+  const int wanted =
+      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  if (options.memoryLimit == 0) return wanted;
+  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
 }
 
 bool needsClosedMeshes(const RenderOptions& render) {
@@ -243,6 +261,27 @@ int runHere(const Options& options) {
   return renderScene(options);
 }
 
+int runOnOwnStack(const Options& options) {
+  int status = kDone;
+  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
+  return status;
+}
+
+/// Names the limit where it is what ended the run.
+int runWithin(int megabytes, const Options& options) {
+  const std::string limit = "-memory_limit " + std::to_string(megabytes) + ": ";
+  limitMemory(std::size_t(megabytes) << 20);
+  try {
+    return runOnOwnStack(options);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(limit + "not enough memory");
+  } catch (const OutOfMemory& error) {
+    throw std::runtime_error(limit + error.what());
+  } catch (const std::system_error& error) {  // no room for a thread's stack
+    throw std::runtime_error(limit + error.what());
+  }
+}
+
 }  // namespace
 
 std::vector<Output> renderPictures(const Options& options) {
@@ -256,9 +295,7 @@ std::vector<Output> renderPictures(const Options& options) {
 }
 
 int runProgram(const Options& options) {
-  int status = kDone;
-  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
-  return status;
+  return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
 }
 
 int print(const std::string& text) {
@@ -268,7 +305,6 @@ int print(const std::string& text) {
   return kOutputFailed;
 }
 
-void complain(const std::string& message) {
-  const std::string line = "raytracer: " + message + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
+void complain(std::string_view message) {
+  std::fprintf(stderr, "raytracer: %.*s\n", int(message.size()), message.data());
 }

@@ -58,7 +58,7 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    const std::string numbers = " MIN N I W H E P R SIGMA TOLERANCE ZOOM ";
+    const std::string numbers = " MB MIN N I W H E P R SIGMA TOLERANCE ZOOM ";
     if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "X" || word == "Y") word = "0";
     if (word == "NX" || word == "NY" || word == "NZ") word = "3";
