@@ -201,7 +201,8 @@ void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Option
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-/// Returns the checkpoint, where one is wanted.
+/// Where a checkpoint is wanted, `scene` is what `sceneDigest` is of, and the checkpoint is
+/// returned.
 std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest& sceneDigest,
                                           const Options& options, std::vector<Output>& outputs,
                                           Stats& stats) {
@@ -220,6 +221,7 @@ std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest
     targets.keeper = checkpoint.get();
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
+  if (checkpoint) checkpoint->stop();
   return checkpoint;
 }
 
@@ -240,7 +242,6 @@ int renderScene(const Options& options) {
   const std::unique_ptr<Checkpoint> checkpoint =
       renderOutputs(scene, sceneDigest, options, outputs, stats);
   watch.restart();
-  if (checkpoint) checkpoint->stop();
   const std::size_t written = writeAll(outputs);
   if (checkpoint && written == wanted) checkpoint->remove();
   stats.writeSeconds = watch.restart();
@@ -290,7 +291,8 @@ std::vector<Output> renderPictures(const Options& options) {
   SceneParser scene = readScene(options, sceneDigest);
   prepareScene(scene, options);
   std::vector<Output> outputs = wantedOutputs(options);
-  renderOutputs(scene, sceneDigest, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
+  if (checkpoint) checkpoint->remove();
   return outputs;
 }
 

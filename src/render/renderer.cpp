@@ -172,6 +172,7 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
     const PictureWindow window = windowOf(targets);
     RenderTargets ofSamples = targets;
     ofSamples.depth = ofSamples.normals = nullptr;
+    ofSamples.exactDepth = ofSamples.exactNormals = nullptr;
     // Rays around a tile are traced again: to count the same, tiles must have the same size.
     const int tileThreads = views.empty() ? threads : kWatchedThreads;
     renderTiles(watch, ofSamples, options, threads, [&](const RayTracer& own) {
@@ -179,6 +180,7 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
                              options.sampling, ofSamples, sizeOf(targets), tileThreads);
     });
     central.color = central.samples = nullptr;
+    central.exactColor = nullptr;
     if (!anyOf(central)) return;
   }
   renderTiles(watch, central, options, threads,

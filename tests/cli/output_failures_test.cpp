@@ -34,9 +34,9 @@ bool runInjected(const Desk& desk, const std::string& arguments, const std::stri
                  const std::string& error, int count, check::ProgramRun& run) {
   const check::ScratchFolder logs;
   const std::string log = logs.file("log");
-  run = desk.run(arguments, "strace -f -qq -o " + quoted(log) + " -e trace=" + calls +
-                                " -e inject=" + calls + ":error=" + error +
-                                ":when=" + std::to_string(count) + " ");
+  run = desk.run(arguments,
+                 "strace -f -qq -o " + quoted(log) + " -e trace=" + quoted(calls) + " -e inject=" +
+                     quoted(calls + ":error=" + error + ":when=" + std::to_string(count)) + " ");
   return contains(contentOf(log), "(INJECTED)");
 }
 
