@@ -1,15 +1,17 @@
 #!/bin/sh
 # Renders every scene of this folder to build/renders, with the arguments that the scene's comment
-# gives; installs a compiler and cmake where they are missing.
+# gives, and makes a page with all of them, build/gallery/index.html; installs a compiler and cmake
+# where they are missing.
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
 . "$root/tests/scene_arguments.sh"
+. "$root/tests/gallery.sh"
 
 now() {
   date +%s.%N
 }
 
-# render_scene FILE: one line about it, and false where it failed.
+# render_scene FILE: one line about it, and false where it failed. Sets `seconds`.
 render_scene() {
   name=$(basename "$1" .txt)
   picture=$build/renders/$name.tga
@@ -24,13 +26,17 @@ render_scene() {
 
 install_missing
 build_program --target raytracer
-mkdir -p "$build/renders" || exit 1
+mkdir -p "$build/renders" && begin_gallery || exit 1
 status=0
 for scene in "$root"/scenes/*.txt; do
   [ -f "$scene" ] || continue
-  render_scene "$scene" || {
+  if render_scene "$scene"; then
+    add_to_gallery "$scene" "$seconds s"
+  else
     printf '%-32s failed\n' "$(basename "$scene" .txt)"
+    add_to_gallery "$scene" failed
     status=1
-  }
+  fi
 done
+end_gallery || status=1
 exit $status

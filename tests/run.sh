@@ -8,8 +8,18 @@
 #   sh tests/run.sh --sanitize           the tests under ASan and UBSan, TSan and valgrind
 #   sh tests/run.sh --lint               clang-tidy and cppcheck
 #   sh tests/run.sh --coverage           lines and branches that the tests run
+#   sh tests/run.sh --farm               renders with GNU parallel and on a Slurm cluster of its own
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
+
+# Every script of tests/farm that is a test; one that is skipped (77) says why.
+run_farm() {
+  status=0
+  for test in parallel slurm; do
+    sh "$root/tests/farm/$test.sh" "$build/raytracer" || [ $? -eq 77 ] || status=1
+  done
+  exit $status
+}
 
 mode=${1:-}
 [ $# -eq 0 ] || shift
@@ -29,6 +39,11 @@ case $mode in
     . "$root/tests/fuzz/fuzz.sh"
     fuzz_all "${1:-60}"
     exit
+    ;;
+  --farm)
+    install_missing
+    build_program --target raytracer
+    run_farm
     ;;
   --portability | --sanitize | --lint | --coverage)
     exec sh "$root/tests/${mode#--}.sh" "$@"

@@ -13,10 +13,10 @@ struct OptionRow {
   const char* defaultWords;  ///< what holds when it is not given, or nullptr where nothing does
   const char* help;          ///< one sentence without a full stop
   /// Stores the argument in `options`; throws UsageError where its words are wrong. Called with as
-  /// many words as `words` names.
+  /// many words as `words` names, or more where it ends in "...".
   void (*apply)(const GivenOption& given, Options& options);
   /// What kind of run it belongs to.
-  enum class Mode { rendering, comparing, both };
+  enum class Mode { rendering, comparing, merging, both };
   Mode mode = Mode::rendering;
 };
 
@@ -26,8 +26,11 @@ const std::vector<OptionRow>& optionTable();
 /// The row with this name or other name (without dashes), or nullptr.
 const OptionRow* findOption(const std::string& name);
 
-/// How many words follow the argument.
+/// How many words follow the argument, at least where more may (see takesMore).
 int countWords(const OptionRow& row);
+
+/// True where any number of words may follow: "...".
+bool takesMore(const OptionRow& row);
 
 /// The list of all arguments, at most 80 columns wide, as `-help` prints it and README.txt shows.
 std::string optionList();

@@ -8,6 +8,7 @@
 #include "accel/compiled_scene.h"
 #include "accel/grid_frame.h"
 #include "cli/compare_options.h"
+#include "cli/part_options.h"
 #include "render/render_options.h"
 
 /// A mistake in the command line: what() says what was expected and what was found.
@@ -59,7 +60,9 @@ struct Options {
   bool tracesPixel = false;     ///< print the rays of pixel (pixelX, pixelY)
   int pixelX = 0, pixelY = 0;   ///< from the top left, within width x height
   std::string pixelObjOutput;   ///< the same rays as lines; only with tracesPixel
-  CompareOptions compare;       ///< a mode of its own: there is then no scene
+  PartOptions part;        ///< what of the picture is rendered
+  CompareOptions compare;  ///< a mode of its own: there is then no scene
+  MergeOptions merge;      ///< likewise
 
   RenderOptions render;
   int threads = 0;      ///< worker threads, 1..kMaxThreads; 0 = one for each core
@@ -83,9 +86,11 @@ struct Options {
 
 /// Reads the command line `words`, without the program's own name. Throws UsageError at the first
 /// mistake. Unless help or the version is asked for, the result names a scene and something to do
-/// with it, or two things to compare; that no two files are the same is left to checkFiles.
+/// with it, or two things to compare, or parts to merge; that no two files are the same is left to
+/// checkFiles.
 Options parseOptions(const std::vector<std::string>& words);
 
-/// Throws UsageError where two outputs name the same file, or an output is the scene or one of
-/// `meshFiles`. Links are followed; a device such as /dev/null may be named more than once.
+/// Throws UsageError where two outputs name the same file, or an output is the scene, one of
+/// `meshFiles` or a part to merge. Links are followed; a device such as /dev/null may be named more
+/// than once.
 void checkFiles(const Options& options, const std::vector<std::string>& meshFiles = {});

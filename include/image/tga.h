@@ -1,17 +1,32 @@
 // TGA: writes the one variant that the program puts out, reads all common ones.
 // Source: Truevision TGA File Format Specification, version 2.0, 1991.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "image/bytes.h"
 #include "image/image.h"
 
+/// Where a picture that is part of another lies in that one, and a text of at most 255 bytes. (The
+/// specification counts origins from the lower left of a screen; like POV-Ray's parts, ours begin
+/// at the corner that comes first in the file.)
+struct TgaPlace {
+  int x = 0, y = 0;  ///< of the first pixel, from the top left corner of the whole, 0..65535
+  std::string id;
+};
+
 /// The file: 18 header bytes, all 0 but type 2, width and height (little-endian), 24 bits and
 /// descriptor 0x20, then BGR bytes, top row first; no ID, no footer. Sides are 1..65535 pixels.
-Bytes encodeTga(const Image& image);
+/// A part has its place in the origin fields besides, and its ID.
+Bytes encodeTga(const Image& image, const TgaPlace& place = {});
 
 /// Writes what encodeTga gives by OutputFile, piece by piece. Throws OutputError.
-void writeTga(const Image& image, const std::string& path);
+void writeTga(const Image& image, const std::string& path, const TgaPlace& place = {});
+
+/// Writes the same from rows of BGR bytes: row(y) is asked once for each y, from the top one, 0,
+/// on. Nothing but the row at hand is kept. Throws OutputError and what row(y) throws.
+void writeTgaRows(int width, int height, const std::function<const Bytes&(int y)>& row,
+                  const std::string& path);
 
 /// Reads types 1, 2, 3, 9, 10 and 11 (colour map, true colour, grey; the latter three run-length
 /// encoded), the first pixel in any corner.

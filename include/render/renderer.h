@@ -12,6 +12,13 @@
 #include "render/tile_keeper.h"
 #include "scene/scene_parser.h"
 
+/// Which pixels of the whole picture the targets hold, where they are a part of it: those from
+/// (left, bottom) on. A width and height of 0 mean that they are all of it.
+struct PictureWindow {
+  int left = 0, bottom = 0;   ///< in pixels from the lower left corner of the whole picture
+  int width = 0, height = 0;  ///< of the whole picture
+};
+
 /// The pictures wanted; null where one is not. All that are given have the same size, but
 /// `samples` is samplesZoom times as wide and high. Not owned.
 struct RenderTargets {
@@ -29,6 +36,8 @@ struct RenderTargets {
   FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
+  /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
+  PictureWindow window{};
   TileKeeper* keeper = nullptr;  ///< null: nobody keeps tiles
 };
 

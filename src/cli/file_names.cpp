@@ -50,11 +50,15 @@ void checkFiles(const Options& options, const std::vector<std::string>& meshFile
     if (a.empty() || b.empty()) return false;
     return (a == "-" && b == "-") || sameFile(outputPath(a), outputPath(b));
   };
-  const bool inputHasName = input.file != "-";
   const auto refuse = [](const Named& a, const Named& b) {
     throw UsageError(std::string(a.argument) + " and " + b.argument +
                      ": expected different files, found '" + a.file + "' and '" + b.file + "'");
   };
+  for (const std::string& part : options.merge.parts) {
+    if (isSame(part, options.merge.output))
+      refuse({"-merge: OUT", options.merge.output}, {"PART", part});
+  }
+  const bool inputHasName = input.file != "-";
   for (const Named& output : outputs) {
     if (inputHasName && isSame(input.file, output.file)) refuse(input, output);
     for (const Named* other = outputs; other != &output; ++other) {

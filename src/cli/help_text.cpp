@@ -62,7 +62,8 @@ std::string fullHelp() {
          "-materials, -heatmap, -pixel, -stats or -check is needed.\n\n" +
          optionList() +
          "\nExit status: 0 done, 1 an output failed, 2 wrong usage, 3 the scene or a mesh\n"
-         "is at fault. Of -compare: 0 the same, 1 different, 2 wrong usage, 3 unreadable.\n";
+         "is at fault. Of -compare: 0 the same, 1 different, 2 wrong usage, 3 unreadable.\n"
+         "Of -merge: 3 a part is at fault or missing.\n";
 }
 
 std::string versionText() { return std::string("raytracer ") + kVersion; }

@@ -3,6 +3,7 @@
 
 #include "cli/compare_arguments.h"
 #include "cli/option_values.h"
+#include "cli/part_arguments.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
@@ -58,13 +59,12 @@ std::vector<OptionRow> fileRows() {
   const char* group = "Files";
   return {
       {group, "input", nullptr, "FILE", nullptr,
-       "scene to read (needed but for -compare); - is standard input",
+       "scene to read (needed but for -compare and -merge); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
       {group, "output", nullptr, "FILE", nullptr,
        "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
        "missing or unknown; so it does for the other images; - is standard output, for one image "
-       "of "
-       "a run",
+       "of a run",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
@@ -184,7 +184,8 @@ std::vector<OptionRow> runningRows() {
 
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
-  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), compareRows(), runningRows()})
+  for (const auto& rows :
+       {fileRows(), lightRows(), samplingRows(), partRows(), compareRows(), runningRows()})
     table.insert(table.end(), rows.begin(), rows.end());
   return table;
 }
@@ -207,4 +208,9 @@ int countWords(const OptionRow& row) {
   int count = 1;
   for (const char* c = row.words; *c; ++c) count += *c == ' ';
   return count;
+}
+
+bool takesMore(const OptionRow& row) {
+  const std::string words = row.words;
+  return words.size() >= 3 && words.compare(words.size() - 3, 3, "...") == 0;
 }

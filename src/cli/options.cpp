@@ -6,6 +6,7 @@
 
 #include "cli/inspection.h"
 #include "cli/option_table.h"
+#include "cli/part_arguments.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
 
@@ -43,6 +44,11 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
                        (ended ? "the end of the command" : ::quoted(words[next])));
     found.push_back(words[next]);
   }
+  if (!takesMore(row)) return found;
+  for (std::size_t next = at + 1 + found.size(); next < words.size(); ++next) {
+    if (!nameOf(words[next]).empty()) break;
+    found.push_back(words[next]);
+  }
   return found;
 }
 
@@ -78,16 +84,20 @@ void checkGridPicture(const Options& options) {
                    (options.accel == Options::Accel::tree ? " but -accel tree" : ""));
 }
 
-/// -compare is a mode of its own: what only renders has no place beside it, nor the other way
-/// round. `given` are the rows of all arguments.
+/// -compare and -merge are modes of their own: what only renders has no place beside them, nor the
+/// other way round. `given` are the rows of all arguments.
 void checkMode(const Options& options, const std::vector<const OptionRow*>& given) {
+  using Mode = OptionRow::Mode;
+  const Mode mode = options.compare.isWanted() ? Mode::comparing
+                    : options.merge.isWanted() ? Mode::merging
+                                               : Mode::rendering;
   for (const OptionRow* row : given) {
     const std::string name = std::string("-") + row->name;
-    if (row->mode == OptionRow::Mode::both) continue;
-    if (options.compare.isWanted() && row->mode == OptionRow::Mode::rendering)
-      throw UsageError(name + " cannot be given together with -compare");
-    if (!options.compare.isWanted() && row->mode == OptionRow::Mode::comparing)
+    if (row->mode == Mode::both || row->mode == mode) continue;
+    if (mode == Mode::rendering)
       throw UsageError(name + ": expected -compare EXPECTED ACTUAL too, found none");
+    throw UsageError(name + " cannot be given together with " +
+                     (mode == Mode::comparing ? "-compare" : "-merge"));
   }
 }
 
@@ -124,9 +134,10 @@ Options parseOptions(const std::vector<std::string>& words) {
   }
   if (options.help || options.version || options.shortHelp) return options;
   checkMode(options, given);
-  if (options.compare.isWanted()) return options;
+  if (options.compare.isWanted() || options.merge.isWanted()) return options;
   checkComplete(options);
   checkEnlargedSizes(options);
   checkPixel(options);
+  checkPart(options);
   return options;
 }

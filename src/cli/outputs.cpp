@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "cli/part_arguments.h"
 #include "cli/program.h"
 #include "image/netpbm.h"
 #include "image/output_file.h"
@@ -37,6 +38,9 @@ void write(const Output& output) {
     return writeFile(output.file, output.text.data(), output.text.size());
   }
   if (wantsFloats(output)) return writePfm(output.exact, output.file);
+  if (formatOf(output.file) == PictureFormat::tga) {
+    return writeTga(output.image, output.file, output.place);
+  }
   writePicture(output.image, output.file);
 }
 
@@ -45,7 +49,7 @@ void write(const Output& output) {
 std::vector<Output> wantedOutputs(const Options& options) {
   std::vector<Output> outputs;
   const auto add = [&](Output::Kind kind, const std::string& file) {
-    if (!file.empty()) outputs.push_back({kind, file, Image(), FloatImage(), ""});
+    if (!file.empty()) outputs.push_back({kind, file, Image(), TgaPlace(), FloatImage(), ""});
   };
   add(Output::Kind::color, options.output);
   add(Output::Kind::depth, options.depthOutput);
@@ -72,8 +76,9 @@ void makeImages(std::vector<Output>& outputs, const Options& options) {
       output.image = drawFilter(*filter, options.width, options.height, options.filterZoom);
     } else if (output.kind != Output::Kind::rays) {
       const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
-      output.image = Image(options.width * zoom, options.height * zoom);
-      if (wantsFloats(output)) output.exact = FloatImage(options.width, options.height);
+      const PixelRectangle area = renderedArea(options);
+      output.image = Image(area.width() * zoom, area.height() * zoom);
+      if (wantsFloats(output)) output.exact = FloatImage(area.width(), area.height());
     }
   }
 }

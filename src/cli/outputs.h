@@ -6,12 +6,14 @@
 #include "cli/options.h"
 #include "image/float_image.h"
 #include "image/image.h"
+#include "image/tga.h"
 
 struct Output {
   enum class Kind { color, depth, normals, samples, filter, materials, heatmap, rays };
   Kind kind;
   std::string file;
   Image image;       ///< empty until makeImages, of `rays` always
+  TgaPlace place;    ///< of a part, where the file is a TGA
   FloatImage exact;  ///< its unclamped colours, empty where the format of the file has none
   std::string text;  ///< of `rays`: what is written; of `heatmap`: its scale
 };
@@ -22,8 +24,8 @@ std::vector<Output> wantedOutputs(const Options& options);
 /// Takes out of `outputs` those that cannot be written, complaining of each.
 void dropUnwritable(std::vector<Output>& outputs);
 
-/// Gives every output a black image of its size, and draws that of the filter. Throws
-/// std::bad_alloc where memory is short.
+/// Gives every output a black image of its size (that of a part where one is wanted), and draws
+/// that of the filter. Throws std::bad_alloc where memory is short.
 void makeImages(std::vector<Output>& outputs, const Options& options);
 
 /// Writes every output, complaining of each that fails, and returns how many were written.

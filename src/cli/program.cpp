@@ -8,11 +8,15 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "accel/compiled_scene.h"
 #include "cli/checkpoint.h"
 #include "cli/compare_run.h"
 #include "cli/inspection.h"
+#include "cli/merge_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/part_arguments.h"
+#include "cli/part_id.h"
 #include "cli/sampling_arguments.h"
 #include "cli/scene_geometry.h"
 #include "cli/stats.h"
@@ -82,7 +86,9 @@ FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.
 
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
+  const PixelRectangle area = renderedArea(options);
   RenderTargets targets;
+  targets.window = {area.left, area.bottom, options.width, options.height};
   for (Output& output : outputs) {
     if (output.kind == Output::Kind::color) {
       targets.color = &output.image;
@@ -103,7 +109,7 @@ RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Im
   targets.depthMax = options.depthMax;
   targets.samplesZoom = options.samplesZoom;
   if (!wantsRays(targets) && options.stats) {
-    unwritten = Image(options.width, options.height);
+    unwritten = Image(area.width(), area.height());
     targets.color = &unwritten;
   }
   return targets;
@@ -127,7 +133,7 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
     views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
   }
   render(scene, geometry.object(), options.render, stats.threads, targets, views);
-  stats.pixels = double(options.width) * options.height;
+  stats.pixels = double(renderedArea(options).pixelCount());
   for (const ThreadCounts& each : counts) {
     stats.rays.add(each.rays);
     stats.tests.add(each.tests);
@@ -171,7 +177,7 @@ void printWarnings(const SceneParser& scene, const Options& options) {
 
 /// What is noted of a scene while it is read, as far as it is needed.
 struct ReadNotes {
-  Digest digest = {};   ///< of its bytes, for a checkpoint
+  Digest digest = {};   ///< of its bytes, for a checkpoint or a part
   ObjectPlaces places;  ///< for -pixel
 };
 
@@ -185,7 +191,9 @@ SceneParser readScene(const Options& options, ReadNotes& notes) {
   return withMemory("to read " + displayName(options.input), [&] {
     const SourceText text = SourceText::read(options.input);
     const std::string_view bytes = text.bytes();
-    if (!options.checkpoint.empty()) notes.digest = sha256(bytes.data(), bytes.size());
+    if (!options.checkpoint.empty() || options.part.isWanted()) {
+      notes.digest = sha256(bytes.data(), bytes.size());
+    }
     return SceneParser(text, options.tracesPixel ? &notes.places : nullptr);
   });
 }
@@ -197,13 +205,26 @@ void prepareScene(SceneParser& scene, const Options& options) {
   }
 }
 
+/// Tells the outputs, where they are parts, which picture they belong to.
+void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Options& options,
+               std::vector<Output>& outputs) {
+  if (!options.part.isWanted()) return;
+  const PixelRectangle area = renderedArea(options);
+  for (Output& output : outputs) {
+    const PartId id =
+        partIdOf(output.kind, options, sceneDigest, scene.getMeshFiles(), threadCount(options));
+    output.place = {area.left, options.height - area.top, textOf(id)};
+  }
+}
+
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
 /// Where a checkpoint is wanted, `scene` is what notes.digest is of, and the checkpoint is
 /// returned.
 Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const Options& options,
                        std::vector<Output>& outputs, Stats& stats) {
+  const PixelRectangle area = renderedArea(options);
   const std::string size =
-      std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
+      std::to_string(area.width()) + " x " + std::to_string(area.height()) + " pixels";
   Image unwritten;
   const MaterialColors materialColors(scene);
   RenderTargets targets = withMemory("for images of " + size, [&] {
@@ -240,6 +261,7 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
+  setPlaces(scene, notes.digest, options, outputs);
   const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
@@ -257,6 +279,9 @@ int runHere(const Options& options) {
   if (options.check) return checkScene(options);
   if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
+  if (options.merge.isWanted()) {
+    return withMemory("to merge", [&] { return runMerge(options.merge); });
+  }
   return renderScene(options);
 }
 

@@ -32,12 +32,20 @@ Vec2<int> sizeOf(const RenderTargets& targets) {
   return {targets.samples->Width() / zoom, targets.samples->Height() / zoom};
 }
 
+/// The window, its width and height filled in where the targets are the whole picture.
+PictureWindow windowOf(const RenderTargets& targets) {
+  if (targets.window.width > 0) return targets.window;
+  const Vec2<int> size = sizeOf(targets);
+  return {0, 0, size.x(), size.y()};
+}
+
 class TileRenderer {
  public:
   TileRenderer(const SceneParser& scene, const RayTracer& tracer, const RenderTargets& targets)
       : camera_(*scene.getCamera()),
         tracer_(tracer),
         targets_(targets),
+        window_(windowOf(targets)),
         width_(sizeOf(targets).x()),
         height_(sizeOf(targets).y()) {}
 
@@ -58,9 +66,8 @@ class TileRenderer {
       const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
       if (!area.contains(pixel)) continue;
       pixels[count] = pixel;
-      rays[count++] = {
-          camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_)),
-          camera_.getTMin(), 1, 1, Vec3f(1, 1, 1)};
+      rays[count++] = {camera_.generateRay(centreOf(pixel)), camera_.getTMin(), 1, 1,
+                       Vec3f(1, 1, 1)};
     }
     Hit hits[kTilePixels];
     if (targets_.color) {
@@ -72,6 +79,12 @@ class TileRenderer {
   }
 
  private:
+  /// On the image plane.
+  Vec2d centreOf(Pixel pixel) const {
+    return imagePoint(window_.left + pixel.i + 0.5, window_.bottom + pixel.j + 0.5, window_.width,
+                      window_.height);
+  }
+
   int columns() const { return (width_ + kTileSize - 1) / kTileSize; }
   int rows() const { return (height_ + kTileSize - 1) / kTileSize; }
 
@@ -117,7 +130,8 @@ class TileRenderer {
   const Camera& camera_;
   const RayTracer tracer_;
   const RenderTargets targets_;
-  const int width_, height_;
+  const PictureWindow window_;
+  const int width_, height_;  // of the targets
 };
 
 /// A tracer and, where threads are watched, what each of them has of its own.
@@ -159,15 +173,15 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   const Watch watch = {tracer, views};
   RenderTargets central = targets;
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
-    const Vec2<int> size = sizeOf(targets);
+    const PictureWindow window = windowOf(targets);
     RenderTargets ofSamples = targets;
     ofSamples.depth = ofSamples.normals = nullptr;
     ofSamples.exactDepth = ofSamples.exactNormals = nullptr;
     // Rays around a tile are traced again: to count the same, tiles must have the same size.
     const int tileThreads = views.empty() ? threads : kWatchedThreads;
     renderTiles(watch, ofSamples, options, threads, [&](const RayTracer& own) {
-      return SampledRenderer({*scene.getCamera(), own, size.x(), size.y()}, options.sampling,
-                             ofSamples, tileThreads);
+      return SampledRenderer({*scene.getCamera(), own, window.width, window.height},
+                             options.sampling, ofSamples, sizeOf(targets), tileThreads);
     });
     central.color = central.samples = nullptr;
     central.exactColor = nullptr;

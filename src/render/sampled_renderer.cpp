@@ -18,12 +18,12 @@ int tilesAlong(int pixels, int tileSize) { return (pixels + tileSize - 1) / tile
 /// The side of a tile with `margin` pixels around it that are traced too: 32 times as long, up to
 /// 128 pixels, so that they are few; less where so many first samples could not be kept, or where
 /// there would be too few tiles to keep all threads busy.
-int tileSizeFor(const SampledScene& scene, const Sampler& sampler, int margin, int threads) {
+int tileSizeFor(Vec2<int> picture, const Sampler& sampler, int margin, int threads) {
   const auto isTooLarge = [&](int size) {
     const auto side = std::size_t(size + 2 * margin);
     const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
     const bool tooMany = samples * AdaptiveSampling::kBytesPerSample > kMostTileBytes;
-    const int tiles = tilesAlong(scene.width, size) * tilesAlong(scene.height, size);
+    const int tiles = tilesAlong(picture.x(), size) * tilesAlong(picture.y(), size);
     return (isRefined(sampler) && tooMany) || tiles / kTilesPerThread < threads;
   };
   int blocks = std::clamp(2 * margin, 1, kMostBlocks);
@@ -51,28 +51,36 @@ void takeSamples(const SampledScene& scene, const Sampler& sampler, double toler
 }
 
 SampledRenderer::SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
-                                 const RenderTargets& targets, int threads)
+                                 const RenderTargets& targets, Vec2<int> size, int threads)
     : scene_(scene),
       options_(options),
       targets_(targets),
+      size_(size),
       sampler_(makeSampler(options)),
       filter_(makeFilter(options)),
       reach_(targets.color ? filter_->getSupportRadius() : 0),
-      tileSize_(tileSizeFor(scene, *sampler_, reach_ + int(isRefined(*sampler_)), threads)) {}
+      tileSize_(tileSizeFor(size, *sampler_, reach_ + int(isRefined(*sampler_)), threads)) {}
 
 int SampledRenderer::tileCount() const {
-  return tilesAlong(scene_.width, tileSize_) * tilesAlong(scene_.height, tileSize_);
+  return tilesAlong(size_.x(), tileSize_) * tilesAlong(size_.y(), tileSize_);
 }
 
 PixelRectangle SampledRenderer::areaOf(int tile) const {
-  const int columns = tilesAlong(scene_.width, tileSize_);
+  const int columns = tilesAlong(size_.x(), tileSize_);
   const int left = tile % columns * tileSize_, bottom = tile / columns * tileSize_;
-  return {left, bottom, std::min(left + tileSize_, scene_.width),
-          std::min(bottom + tileSize_, scene_.height)};
+  return {left, bottom, std::min(left + tileSize_, size_.x()),
+          std::min(bottom + tileSize_, size_.y())};
+}
+
+/// The same pixels, counted in the whole picture that the targets are a window of.
+PixelRectangle SampledRenderer::inWhole(const PixelRectangle& area) const {
+  const PictureWindow& window = targets_.window;
+  return {area.left + window.left, area.bottom + window.bottom, area.right + window.left,
+          area.top + window.bottom};
 }
 
 void SampledRenderer::renderTile(int tile) const {
-  const PixelRectangle area = areaOf(tile), sources = area.grown(reach_);
+  const PixelRectangle area = inWhole(areaOf(tile)), sources = area.grown(reach_);
   Film film(area, *filter_);
   if (targets_.samples) drawPixels(*targets_.samples, targets_.samplesZoom, area);
   const auto take = [&](const Sample& sample, const Vec3f& color, double share) {
@@ -89,8 +97,9 @@ void SampledRenderer::store(const Film& film, const PixelRectangle& area) const 
   for (int j = area.bottom; j < area.top; ++j) {
     for (int i = area.left; i < area.right; ++i) {
       const Vec3f color = film.getColor({i, j});
-      targets_.color->setPixel(i, j, color);
-      if (targets_.exactColor) targets_.exactColor->setPixel(i, j, color);
+      const Pixel at = {i - targets_.window.left, j - targets_.window.bottom};
+      targets_.color->setPixel(at.i, at.j, color);
+      if (targets_.exactColor) targets_.exactColor->setPixel(at.i, at.j, color);
     }
   }
 }

@@ -21,21 +21,24 @@ bool isRefined(const Sampler& sampler);
 
 class SampledRenderer {
  public:
-  /// Fills targets.color and targets.samples, whichever are given. Nothing is owned. Tiles are
-  /// small enough to be shared by so many threads.
+  /// Fills targets.color and targets.samples, whichever are given, of `size` pixels (before
+  /// `samples` is enlarged). Nothing is owned. Tiles are small enough to be shared by so many
+  /// threads.
   SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
-                  const RenderTargets& targets, int threads);
+                  const RenderTargets& targets, Vec2<int> size, int threads);
 
   int tileCount() const;
   PixelRectangle areaOf(int tile) const;
   void renderTile(int tile) const;
 
  private:
+  PixelRectangle inWhole(const PixelRectangle& area) const;
   void store(const Film& film, const PixelRectangle& area) const;
 
   const SampledScene scene_;
   const SamplingOptions options_;
   const RenderTargets targets_;
+  const Vec2<int> size_;
   const std::unique_ptr<const Sampler> sampler_;
   const std::unique_ptr<const Filter> filter_;
   int reach_;     // pixels beyond a tile whose samples count in it

@@ -58,8 +58,10 @@ void checkTakenUp(int signal) {
   fs::remove(desk.file("d.pfm"));
   fs::remove(desk.file("n"));
   std::size_t saved = 0;
+  bool isThrough = false;  // a quick machine may be, before the third end
   for (int ends = 0; ends < 3; ++ends) {
-    if (!endAfter(desk, saved + 1, signal)) break;
+    isThrough = !endAfter(desk, saved + 1, signal);
+    if (isThrough) break;
     CHECK(desk.size("c") > kHeader + saved);
     saved = desk.size("c") - kHeader;
     CHECK(!desk.exists("a.pfm") && !desk.exists("d.pfm") && !desk.exists("n"));
@@ -67,7 +69,7 @@ void checkTakenUp(int signal) {
   CHECK(saved > 0);
   const check::ProgramRun last = desk.run(kLong + "b.pfm -checkpoint c -threads 3 -accel tree");
   CHECK_EQUAL(last.status, 0);
-  CHECK(contains(last.errors, "raytracer: c: taken up with "));
+  CHECK(isThrough || contains(last.errors, "raytracer: c: taken up with "));
   CHECK(desk.content("b.pfm") == desk.content("whole.pfm"));
   CHECK(desk.content("d.pfm") == depth);
   CHECK(desk.content("n") == normals);

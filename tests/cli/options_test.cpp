@@ -21,6 +21,7 @@ Options parse(const Words& words) {
   const OptionRow* row = findOption(name);
   Words all = {"-input", "scene.txt", "-output", "out.tga"};
   if (row && row->mode == OptionRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
+  if (row && row->mode == OptionRow::Mode::merging) all.clear();
   all.insert(all.end(), words.begin(), words.end());
   return parseOptions(all);
 }
@@ -58,8 +59,10 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    const std::string numbers = " MB MIN N W H E NX NY NZ P R SIGMA TOLERANCE X Y ZOOM ";
+    const std::string numbers = " MB MIN N I W H E NX NY NZ P R SIGMA TOLERANCE ZOOM ";
     if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
+    if (word == "X" || word == "Y") word = "0";
+    if (word == "NX" || word == "NY" || word == "NZ") word = "3";
     if (word == "MAX") word = "2";
   }
   return words;
@@ -133,7 +136,10 @@ TEST("every argument of the contract is in the table") {
                            "compare",
                            "tolerance",
                            "fail_percent",
-                           "csv"})
+                           "csv",
+                           "region",
+                           "tile",
+                           "merge"})
     CHECK(findOption(name) != nullptr);
 }
 
