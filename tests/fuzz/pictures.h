@@ -31,7 +31,12 @@ inline RenderOptions optionsFrom(unsigned choice) {
 inline Bytes pictures(const SceneParser& scene, const Object3D& geometry,
                       const RenderOptions& options) {
   Image color(kWidth, kHeight), depth(kWidth, kHeight), normals(kWidth, kHeight);
-  render(scene, geometry, options, 1, {&color, &depth, &normals, 0, 10});
+  RenderTargets targets;
+  targets.color = &color;
+  targets.depth = &depth;
+  targets.normals = &normals;
+  targets.depthMax = 10;
+  render(scene, geometry, options, 1, targets);
   Bytes all;
   for (const Image* image : {&color, &depth, &normals}) {
     const Bytes bytes = encodeTga(*image);
