@@ -38,7 +38,9 @@ rm -f "$folder"/*.profraw
 # %4m: all runs of a program are added up, in four files that take turns.
 LLVM_PROFILE_FILE=$folder/%4m.profraw
 export LLVM_PROFILE_FILE
-(cd "$folder" && ctest --timeout 3600 --output-on-failure) || say FAILED 'the tests'
+# A test that limits the size of files keeps its profile from being written, and reads a message
+# about it: whether all tests pass is told by the ordinary run.
+(cd "$folder" && ctest --timeout 3600 --output-on-failure) || say note 'not all tests passed'
 unset LLVM_PROFILE_FILE
 llvm-profdata merge -sparse "$folder"/*.profraw -o "$folder/all" || exit 1
 report_of scene image cli
