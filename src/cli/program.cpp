@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -226,12 +227,12 @@ Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const O
   const std::string size =
       std::to_string(area.width()) + " x " + std::to_string(area.height()) + " pixels";
   Image unwritten;
-  const MaterialColors materialColors(scene);
+  std::optional<MaterialColors> materialColors;
   RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
-  targets.materialColors = &materialColors;
+  if (targets.materials) targets.materialColors = &materialColors.emplace(scene);
   Rendered rendered;
   const auto inspectAll = [&](const Object3D& geometry) {
     rendered.lastLines = inspect({scene, notes.places, geometry}, options, stats.threads, outputs);
