@@ -50,8 +50,20 @@ std::string optionList() {
 }
 
 std::string shortHelp() {
-  return "raytracer: renders a scene file to an image, for example\n" +
-         std::string(kCourseCommand) + "'raytracer -help' lists all arguments.\n";
+  std::string text =
+      "raytracer: renders a scene file to an image, for example\n" + std::string(kCourseCommand);
+  const std::vector<OptionRow>& table = optionTable();
+  for (auto row = table.begin(); row != table.end();) {
+    const std::string group = row->group;
+    std::string names;
+    for (; row != table.end() && group == row->group; ++row) {
+      names += (names.empty() ? "-" : " -") + std::string(row->name);
+    }
+    text += "\n  " + group;
+    appendWrapped(text, group.size() + 2, names);
+    text.pop_back();
+  }
+  return text + "\n\n'raytracer -help' explains them all.\n";
 }
 
 std::string fullHelp() {

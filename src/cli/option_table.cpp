@@ -53,12 +53,18 @@ void setEpsilon(const GivenOption& given, Options& options) {
 
 using Given = const GivenOption&;
 
-std::vector<OptionRow> fileRows() {
-  const char* group = "Files";
+std::vector<OptionRow> readingRows() {
+  const char* group = "Reading";
   return {
       {group, "input", nullptr, "FILE", nullptr,
        "scene to read (always needed); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
+  };
+}
+
+std::vector<OptionRow> pictureRows() {
+  const char* group = "Pictures";
+  return {
       {group, "output", nullptr, "FILE", nullptr,
        "image to write; the ending picks the format, TGA where it is missing or unknown",
        [](Given given, Options& o) { o.output = outputName(given); }},
@@ -74,14 +80,11 @@ std::vector<OptionRow> fileRows() {
       {group, "normals", "normal", "FILE", nullptr,
        "write the normal image: red, green, blue are |x|, |y|, |z| of the surface normal",
        [](Given given, Options& o) { o.normalsOutput = outputName(given); }},
-      {group, "check", nullptr, "", nullptr,
-       "render nothing: read the scene and its meshes and report every mistake",
-       [](Given, Options& o) { o.check = true; }},
   };
 }
 
-std::vector<OptionRow> lightRows() {
-  const char* group = "Light";
+std::vector<OptionRow> tracingRows() {
+  const char* group = "Tracing";
   return {
       {group, "bounces", nullptr, "N", "5",
        "the most mirror or refracted rays in a row, 0 (none) to 10000",
@@ -92,6 +95,17 @@ std::vector<OptionRow> lightRows() {
        "mirror and refracted rays whose part in the pixel would be below W are not traced; W is at "
        "least 0",
        [](Given given, Options& o) { o.render.minWeight = positiveFloat(given); }},
+      {group, "epsilon", nullptr, "E", nullptr,
+       "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
+       "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
+       "course where the bounded objects together span 1 to 1000 units, else adaptive)",
+       setEpsilon},
+  };
+}
+
+std::vector<OptionRow> shadingRows() {
+  const char* group = "Shadows and materials";
+  return {
       {group, "shadows", nullptr, "", "on", "cast shadow rays",
        [](Given, Options& o) { o.render.shadows = true; }},
       {group, "no_shadows", nullptr, "", nullptr, "cast no shadow rays",
@@ -108,16 +122,11 @@ std::vector<OptionRow> lightRows() {
       {group, "fresnel", nullptr, "", nullptr,
        "how much is reflected follows from index and angle; glass dims with the length inside",
        [](Given, Options& o) { o.render.fresnel = true; }},
-      {group, "epsilon", nullptr, "E", nullptr,
-       "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
-       "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
-       "course where the bounded objects together span 1 to 1000 units, else adaptive)",
-       setEpsilon},
   };
 }
 
-std::vector<OptionRow> runningRows() {
-  const char* group = "Running";
+std::vector<OptionRow> speedRows() {
+  const char* group = "Speed";
   return {
       {group, "threads", nullptr, "N", nullptr,
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
@@ -128,19 +137,34 @@ std::vector<OptionRow> runningRows() {
        "find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most "
        "16777216 in all, in place of -accel; the image never depends on it",
        setGrid},
+      {group, "simd", nullptr, "LEVEL", "auto",
+       "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
+       "best; the image never depends on it",
+       setSimd},
+  };
+}
+
+std::vector<OptionRow> checkingRows() {
+  const char* group = "Checking";
+  return {
+      {group, "check", nullptr, "", nullptr,
+       "render nothing: read the scene and its meshes and report every mistake",
+       [](Given, Options& o) { o.check = true; }},
+      {group, "stats", nullptr, "", nullptr,
+       "print what was used and how long it took, in lines of NAME: VALUE",
+       [](Given, Options& o) { o.stats = true; }},
       {group, "visualize_grid", nullptr, "", nullptr,
        "draw the cells of -grid that hold any object as white boxes",
        [](Given, Options& o) { o.gridPicture = Options::GridPicture::cells; }},
       {group, "visualize_grid_count", nullptr, "", nullptr,
        "the same in colours, from white for one object in a cell to red for more than 32",
        [](Given, Options& o) { o.gridPicture = Options::GridPicture::counts; }},
-      {group, "simd", nullptr, "LEVEL", "auto",
-       "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
-       "best; the image never depends on it",
-       setSimd},
-      {group, "stats", nullptr, "", nullptr,
-       "print what was used and how long it took, in lines of NAME: VALUE",
-       [](Given, Options& o) { o.stats = true; }},
+  };
+}
+
+std::vector<OptionRow> informationRows() {
+  const char* group = "Information";
+  return {
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
        [](Given, Options& o) { o.quiet = true; }},
       {group, "help", nullptr, "", nullptr, "print this list",
@@ -150,9 +174,19 @@ std::vector<OptionRow> runningRows() {
   };
 }
 
+/// The groups in the order of -help: from what every run needs to what few ask for.
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
-  for (const auto& rows : {fileRows(), lightRows(), samplingRows(), runningRows()})
+  for (const auto& rows : {
+           readingRows(),
+           pictureRows(),
+           tracingRows(),
+           samplingRows(),
+           shadingRows(),
+           speedRows(),
+           checkingRows(),
+           informationRows(),
+       })
     table.insert(table.end(), rows.begin(), rows.end());
   return table;
 }

@@ -168,6 +168,26 @@ TEST("the list of arguments has lines of at most 80 columns and names every argu
   }
 }
 
+TEST("the short help has lines of at most 80 columns and names every argument and group once") {
+  std::istringstream lines(shortHelp());
+  std::string line;
+  while (std::getline(lines, line)) CHECK(line.size() <= 80);
+  const Words words = split(shortHelp().substr(shortHelp().find("\n\n")));
+  for (const OptionRow& row : optionTable()) {
+    CHECK_EQUAL(std::count(words.begin(), words.end(), std::string("-") + row.name), 1);
+    CHECK(contains(shortHelp(), std::string("\n  ") + row.group));
+  }
+}
+
+TEST("the rows of one group stand together") {
+  std::vector<std::string> groups;
+  for (const OptionRow& row : optionTable()) {
+    if (groups.empty() || groups.back() != row.group) groups.push_back(row.group);
+  }
+  std::sort(groups.begin(), groups.end());
+  CHECK(std::adjacent_find(groups.begin(), groups.end()) == groups.end());
+}
+
 TEST("README.txt shows the same list of arguments as -help") {
   const std::string readme = check::contentOf(check::testsFolder() + "/../README.txt");
   CHECK(contains(readme, optionList()));
