@@ -58,6 +58,11 @@ struct Options {
   bool shortHelp = false;  ///< no argument at all was given
   bool help = false;
   bool version = false;
+  bool man = false;         ///< print the manual page
+  bool completion = false;  ///< print the script for bash
+
+  /// Whether a text about the program is all that is wanted.
+  bool wantsText() const { return shortHelp || help || version || man || completion; }
 };
 
 /// Reads the command line `words`, without the program's own name. Throws UsageError at the first

@@ -70,8 +70,7 @@ std::string fullHelp() {
   return "raytracer: renders a scene file to an image, for example\n" +
          std::string(kCourseCommand) +
          "Arguments come in any order, with one dash or two; the last of two equal ones\n"
-         "wins. At least one of -output, -depth, -normals, -render_samples, -render_filter,\n"
-         "-stats or -check is needed.\n\n" +
+         "wins.\n\n" +
          optionList() +
          "\nExit status: 0 done, 1 an output failed, 2 wrong usage, 3 the scene or a mesh\n"
          "is at fault.\n";

@@ -99,7 +99,7 @@ std::vector<OptionRow> tracingRows() {
        "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
        "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
        "course where the bounded objects together span 1 to 1000 units, else adaptive)",
-       setEpsilon},
+       setEpsilon, "course adaptive"},
   };
 }
 
@@ -132,7 +132,7 @@ std::vector<OptionRow> speedRows() {
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
        [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
       {group, "accel", nullptr, "NAME", "fast",
-       "fast, or tree: the plain object tree, for checking", setAccel},
+       "fast, or tree: the plain object tree, for checking", setAccel, "fast tree"},
       {group, "grid", nullptr, "NX NY NZ", nullptr,
        "find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most "
        "16777216 in all, in place of -accel; the image never depends on it",
@@ -140,7 +140,7 @@ std::vector<OptionRow> speedRows() {
       {group, "simd", nullptr, "LEVEL", "auto",
        "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
        "best; the image never depends on it",
-       setSimd},
+       setSimd, "auto baseline avx2 avx512"},
   };
 }
 
@@ -167,10 +167,15 @@ std::vector<OptionRow> informationRows() {
   return {
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
        [](Given, Options& o) { o.quiet = true; }},
-      {group, "help", nullptr, "", nullptr, "print this list",
+      {group, "help", "h", "", nullptr, "print this list",
        [](Given, Options& o) { o.help = true; }},
       {group, "version", nullptr, "", nullptr, "print the version",
        [](Given, Options& o) { o.version = true; }},
+      {group, "man", nullptr, "", nullptr, "print the manual page, to be read with man -l",
+       [](Given, Options& o) { o.man = true; }},
+      {group, "completion", nullptr, "", nullptr,
+       "print a script for bash, which then completes arguments",
+       [](Given, Options& o) { o.completion = true; }},
   };
 }
 

@@ -54,7 +54,7 @@ void checkGridPicture(const Options& options) {
 }
 
 void checkComplete(const Options& options) {
-  if (options.help || options.version || options.shortHelp) return;
+  if (options.wantsText()) return;
   checkGridPicture(options);
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||

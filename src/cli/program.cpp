@@ -176,6 +176,8 @@ int runHere(const Options& options) {
   if (options.shortHelp) return print(shortHelp());
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
+  if (options.man) return print(manPage());
+  if (options.completion) return print(completionScript());
   if (options.check) return checkScene(options);
   checkFiles(options);
   return renderScene(options);
