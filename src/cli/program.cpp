@@ -43,9 +43,11 @@ int print(const std::string& text) {
 }
 
 int checkScene(const Options& options) {
+  std::vector<std::string> warnings;
   const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
-    return SceneParser::check(options.input.c_str());
+    return SceneParser::check(options.input.c_str(), options.quiet ? nullptr : &warnings);
   });
+  for (const std::string& warning : warnings) complain("warning: " + warning);
   for (const InputError& mistake : mistakes) complain(mistake.what());
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
