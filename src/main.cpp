@@ -7,9 +7,9 @@
 
 namespace {
 
-int runCommandLine(const std::vector<std::string>& words) {
+int runCommandLine(int argc, char** argv) {
   try {
-    return runProgram(parseOptions(words));
+    return runProgram(parseOptions(std::vector<std::string>(argv + (argc > 0), argv + argc)));
   } catch (const UsageError& error) {
     complain(error.what());
     return kWrongUsage;
@@ -29,6 +29,5 @@ int runCommandLine(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   removeTemporaryOnSignals();
-  return runCommandLine(argc > 1 ? std::vector<std::string>(argv + 1, argv + argc)
-                                 : std::vector<std::string>());
+  return runCommandLine(argc, argv);
 }

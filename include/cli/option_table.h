@@ -22,6 +22,9 @@ struct OptionRow {
   /// Stores the argument in `options`; throws UsageError where its words are wrong. Called with as
   /// many words as `words` names.
   void (*apply)(const GivenOption& given, Options& options);
+  /// What kind of run it belongs to.
+  enum class Mode { rendering, comparing, both };
+  Mode mode = Mode::rendering;
   /// The words that its first word may be, separated by single blanks, for completion.
   const char* choices = "";
 };

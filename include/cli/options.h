@@ -7,6 +7,7 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid_frame.h"
+#include "cli/compare_options.h"
 #include "render/render_options.h"
 
 /// A mistake in the command line: what() says what was expected and what was found.
@@ -18,6 +19,7 @@ class UsageError : public std::runtime_error {
 /// Limits of the arguments; TGA stores a side of the image in 16 bits.
 inline constexpr int kMaxImageSide = 65535;
 inline constexpr int kMaxThreads = 1024;
+inline constexpr int kMaxMemoryLimit = 100000000;  // MB
 
 struct Options {
   enum class Accel {
@@ -45,8 +47,11 @@ struct Options {
   std::string filterOutput;   ///< picture of the filter's weights, filterZoom times as large
   int filterZoom = 1;         ///< likewise, with 1 pixel more each way
 
+  CompareOptions compare;  ///< a mode of its own: there is then no scene
+
   RenderOptions render;
-  int threads = 0;  ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  int threads = 0;      ///< worker threads, 1..kMaxThreads; 0 = one for each core
+  int memoryLimit = 0;  ///< MB (2^20 bytes) that the run may take, 1..kMaxMemoryLimit; 0 = no limit
   Accel accel = Accel::fast;
   GridSize gridSize{1, 1, 1};                   ///< with Accel::grid; at most kMaxGridCells cells
   GridPicture gridPicture = GridPicture::none;  ///< anything else only with Accel::grid
@@ -67,7 +72,7 @@ struct Options {
 
 /// Reads the command line `words`, without the program's own name. Throws UsageError at the first
 /// mistake. Unless help or the version is asked for, the result names a scene and something to do
-/// with it; that no two files are the same is left to checkFiles.
+/// with it, or two things to compare; that no two files are the same is left to checkFiles.
 Options parseOptions(const std::vector<std::string>& words);
 
 /// Throws UsageError where two outputs name the same file, or an output is the scene or one of

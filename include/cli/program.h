@@ -1,5 +1,7 @@
 // The run of the program: parse, compile, trace, write.
 #pragma once
+#include <string_view>
+
 #include "cli/options.h"
 
 /// Exit status of the program.
@@ -14,5 +16,8 @@ enum ExitStatus {
 /// thrown: UsageError, InputError, or any other std::exception with a message for the user.
 int runProgram(const Options& options);
 
-/// Writes "raytracer: " + message + a line break to standard error.
-void complain(const std::string& message);
+/// Writes "raytracer: " + message + a line break to standard error. Asks for no memory.
+void complain(std::string_view message);
+
+/// Writes `text` to standard output and returns kDone, or complains and returns kOutputFailed.
+int print(const std::string& text);

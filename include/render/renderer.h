@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/object3d.h"
+#include "image/float_image.h"
 #include "image/image.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
@@ -17,6 +18,11 @@ struct RenderTargets {
   Image* normals = nullptr;
   Image* samples = nullptr;  ///< where the samples lie, and their colours
   int samplesZoom = 1;
+  /// Where the colours go besides before they become bytes, unclamped; each only where the target
+  /// of the same name is given, and of its size.
+  FloatImage* exactColor = nullptr;
+  FloatImage* exactDepth = nullptr;
+  FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
 };

@@ -9,6 +9,7 @@
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/packet.h"
+#include "accel/ray_range.h"
 #include "accel/space.h"
 #include "geometry/group.h"
 
@@ -17,6 +18,7 @@ namespace {
 using accel::Entry;
 using accel::Kernels;
 using accel::MeshTree;
+using accel::RayRange;
 using accel::Space;
 
 /// A mesh of fewer triangles is asked triangle by triangle.
@@ -39,11 +41,12 @@ struct CompiledScene::Content {
   Content(SimdLevel level, int threadCount)
       : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {}
 
-  /// Adds `object` and all below it to `space`. The depth of recursion is the scene's nesting.
-  void add(Space& space, const Object3D* object) {
+  /// Adds `object` and all below it to `space`, where rays are within `range`. The depth of
+  /// recursion is the scene's nesting.
+  void add(Space& space, const Object3D* object, const RayRange& range) {
     if (const auto* group = accel::exactly<Group>(object)) {
       for (const Object3D* member : group->getObjects()) {
-        if (member) add(space, member);
+        if (member) add(space, member, range);
       }
       return;
     }
@@ -53,7 +56,7 @@ struct CompiledScene::Content {
     if (const auto* mesh = accel::exactly<TriangleMesh>(object)) {
       addMesh(entry, *mesh, Entry::Kind::mesh);
     } else if (const auto* transform = accel::exactly<Transform>(object)) {
-      addTransform(entry, *transform);
+      addTransform(entry, *transform, range.inside(*transform));
     }
     space.add(entry);
   }
@@ -64,14 +67,18 @@ struct CompiledScene::Content {
     entry.mesh = &treeOf(mesh.getGeometry());
   }
 
-  void addTransform(Entry& entry, const Transform& transform) {
+  /// Where the Transform takes rays out of `range`, it stays plain.
+  void addTransform(Entry& entry, const Transform& transform, const RayRange& range) {
     const Object3D* inside = transform.getObject();
     if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
       addMesh(entry, *mesh, Entry::Kind::movedMesh);
+      const bool isTree = entry.kind == Entry::Kind::movedMesh;
+      if (isTree && !range.fits(entry.mesh->bvh().scale)) entry.kind = Entry::Kind::plain;
     } else if (accel::exactly<Group>(inside) || accel::exactly<Transform>(inside)) {
       Space& space = spaces.emplace_back(kernels);
-      add(space, inside);
+      add(space, inside, range);
       space.finish(threads);
+      if (!range.fits(space.bvh().scale)) return;
       entry.kind = Entry::Kind::movedSpace;
       entry.space = &space;
     }
@@ -114,7 +121,7 @@ const char* nameOf(SimdLevel level) {
 
 CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) : root_(&root) {
   auto content = std::make_unique<Content>(availableSimd(simd), threads);
-  content->add(content->root, &root);
+  content->add(content->root, &root, {});
   content->root.finish(threads);
   content_ = std::move(content);
 }
@@ -122,11 +129,13 @@ CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) 
 CompiledScene::~CompiledScene() = default;
 
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  if (!RayRange::holds(ray)) return root_->intersect(ray, hit, tmin);
   accel::NearestQuery query{&hit, tmin, hit.getT()};
   return content_->root.nearest(ray, query);
 }
 
 bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
+  if (!RayRange::holds(ray)) return root_->occluded(ray, tmin, tmax);
   return content_->root.occluded(ray, tmin, tmax);
 }
 
@@ -136,10 +145,16 @@ void CompiledScene::intersectBatch(const Ray* rays, const double* tmins, int cou
   for (int first = 0; first < count; first += kMost) {
     accel::NearestQuery queries[kMost];
     const int some = std::min(kMost, count - first);
+    bool allHeld = true;
     for (int i = 0; i < some; ++i) {
       queries[i] = {hits + first + i, tmins[first + i], hits[first + i].getT()};
+      allHeld &= RayRange::holds(rays[first + i]);
     }
-    content_->root.nearest(rays + first, some, queries);
+    if (allHeld) {
+      content_->root.nearest(rays + first, some, queries);
+      continue;
+    }
+    for (int i = first; i < first + some; ++i) intersect(rays[i], hits[i], tmins[i]);
   }
 }
 
@@ -147,12 +162,22 @@ void CompiledScene::occludedBatch(const ShadowQuery* queries, int count, bool* b
   constexpr int kMost = accel::RayPacket::kMostRays;
   for (int first = 0; first < count; first += kMost) {
     const int some = std::min(kMost, count - first);
-    const std::uint64_t bits = content_->root.occluded(queries + first, some);
-    for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
+    const bool allHeld =
+        std::all_of(queries + first, queries + first + some,
+                    [](const ShadowQuery& query) { return RayRange::holds(query.ray); });
+    if (allHeld) {
+      const std::uint64_t bits = content_->root.occluded(queries + first, some);
+      for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
+      continue;
+    }
+    for (int i = first; i < first + some; ++i) {
+      blocked[i] = occluded(queries[i].ray, queries[i].tmin, queries[i].tmax);
+    }
   }
 }
 
 void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  if (!RayRange::holds(ray)) return root_->visitCrossings(ray, visitor);
   content_->root.visitCrossings(ray, visitor);
 }
 

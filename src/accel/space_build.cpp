@@ -66,10 +66,9 @@ bool isNothing(const Entry& entry) {
 
 /// True where a box tells where the object is hit: beyond these sizes, squares in the double
 /// functions of spheres and triangles overflow or underflow, and their answers are arbitrary.
-bool isMeasurable(const Entry& entry, const BoundingBox& box) {
+bool isMeasurable(const BoundingBox& box) {
   const double largest = box.longestSide() + maxAbs(box.low()) + maxAbs(box.high());
-  return largest < 0x1p500 &&
-         (leafKindOf(entry) == LeafKind::objects || box.longestSide() > 0x1p-450);
+  return largest < 0x1p500 && box.longestSide() > 0x1p-450;
 }
 
 float roundedDown(double x) {
@@ -159,8 +158,10 @@ void Space::finish(int threads) {
     const Entry& entry = entries_[id];
     if (isNothing(entry)) continue;
     const BoundingBox box = accel::isBounded(entry) ? boxOf(entry) : BoundingBox();
-    if (!accel::isBounded(entry)) bounded_ = false;
-    if (box.isEmpty() || !isMeasurable(entry, box)) {
+    const bool isInBox = box.isEmpty() || isMeasurable(box);
+    // A Transform of this space then has no box either.
+    if (!accel::isBounded(entry) || !isInBox) bounded_ = false;
+    if (box.isEmpty() || !isInBox) {
       direct_.push_back(id);
       continue;
     }

@@ -73,7 +73,7 @@ std::string fullHelp() {
          "wins.\n\n" +
          optionList() +
          "\nExit status: 0 done, 1 an output failed, 2 wrong usage, 3 the scene or a mesh\n"
-         "is at fault.\n";
+         "is at fault. Of -compare: 0 the same, 1 different, 2 wrong usage, 3 unreadable.\n";
 }
 
 std::string versionText() { return std::string("raytracer ") + kVersion; }

@@ -1,6 +1,7 @@
 // The table of all arguments.
 #include "cli/option_table.h"
 
+#include "cli/compare_arguments.h"
 #include "cli/option_values.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
@@ -57,7 +58,7 @@ std::vector<OptionRow> readingRows() {
   const char* group = "Reading";
   return {
       {group, "input", nullptr, "FILE", nullptr,
-       "scene to read (always needed); - is standard input",
+       "scene to read (needed but for -compare); - is standard input",
        [](Given given, Options& o) { o.input = inputName(given); }},
   };
 }
@@ -66,7 +67,8 @@ std::vector<OptionRow> pictureRows() {
   const char* group = "Pictures";
   return {
       {group, "output", nullptr, "FILE", nullptr,
-       "image to write; the ending picks the format, TGA where it is missing or unknown",
+       "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
+       "missing or unknown; so it does for the other images",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
@@ -99,7 +101,7 @@ std::vector<OptionRow> tracingRows() {
        "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
        "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
        "course where the bounded objects together span 1 to 1000 units, else adaptive)",
-       setEpsilon, "course adaptive"},
+       setEpsilon, OptionRow::Mode::rendering, "course adaptive"},
   };
 }
 
@@ -130,9 +132,18 @@ std::vector<OptionRow> speedRows() {
   return {
       {group, "threads", nullptr, "N", nullptr,
        "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
-       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); }},
+       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); },
+       OptionRow::Mode::both},
+      {group, "memory_limit", nullptr, "MB", nullptr,
+       "end the run with a message rather than take more than so many megabytes of memory (2^20 "
+       "bytes each), 1 to 100000000 (default: no limit)",
+       [](Given given, Options& o) {
+         o.memoryLimit = wholeNumber(given, 0, "MB", 1, kMaxMemoryLimit);
+       },
+       OptionRow::Mode::both},
       {group, "accel", nullptr, "NAME", "fast",
-       "fast, or tree: the plain object tree, for checking", setAccel, "fast tree"},
+       "fast, or tree: the plain object tree, for checking", setAccel, OptionRow::Mode::rendering,
+       "fast tree"},
       {group, "grid", nullptr, "NX NY NZ", nullptr,
        "find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most "
        "16777216 in all, in place of -accel; the image never depends on it",
@@ -140,7 +151,7 @@ std::vector<OptionRow> speedRows() {
       {group, "simd", nullptr, "LEVEL", "auto",
        "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
        "best; the image never depends on it",
-       setSimd, "auto baseline avx2 avx512"},
+       setSimd, OptionRow::Mode::rendering, "auto baseline avx2 avx512"},
   };
 }
 
@@ -166,16 +177,16 @@ std::vector<OptionRow> informationRows() {
   const char* group = "Information";
   return {
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
-       [](Given, Options& o) { o.quiet = true; }},
-      {group, "help", "h", "", nullptr, "print this list",
-       [](Given, Options& o) { o.help = true; }},
+       [](Given, Options& o) { o.quiet = true; }, OptionRow::Mode::both},
+      {group, "help", "h", "", nullptr, "print this list", [](Given, Options& o) { o.help = true; },
+       OptionRow::Mode::both},
       {group, "version", nullptr, "", nullptr, "print the version",
-       [](Given, Options& o) { o.version = true; }},
+       [](Given, Options& o) { o.version = true; }, OptionRow::Mode::both},
       {group, "man", nullptr, "", nullptr, "print the manual page, to be read with man -l",
-       [](Given, Options& o) { o.man = true; }},
+       [](Given, Options& o) { o.man = true; }, OptionRow::Mode::both},
       {group, "completion", nullptr, "", nullptr,
        "print a script for bash, which then completes arguments",
-       [](Given, Options& o) { o.completion = true; }},
+       [](Given, Options& o) { o.completion = true; }, OptionRow::Mode::both},
   };
 }
 
@@ -189,6 +200,7 @@ std::vector<OptionRow> makeTable() {
            samplingRows(),
            shadingRows(),
            speedRows(),
+           compareRows(),
            checkingRows(),
            informationRows(),
        })

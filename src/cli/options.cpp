@@ -53,8 +53,20 @@ void checkGridPicture(const Options& options) {
                    (options.accel == Options::Accel::tree ? " but -accel tree" : ""));
 }
 
+/// -compare is a mode of its own: what only renders has no place beside it, nor the other way
+/// round. `given` are the rows of all arguments.
+void checkMode(const Options& options, const std::vector<const OptionRow*>& given) {
+  for (const OptionRow* row : given) {
+    const std::string name = std::string("-") + row->name;
+    if (row->mode == OptionRow::Mode::both) continue;
+    if (options.compare.isWanted() && row->mode == OptionRow::Mode::rendering)
+      throw UsageError(name + " cannot be given together with -compare");
+    if (!options.compare.isWanted() && row->mode == OptionRow::Mode::comparing)
+      throw UsageError(name + ": expected -compare EXPECTED ACTUAL too, found none");
+  }
+}
+
 void checkComplete(const Options& options) {
-  if (options.wantsText()) return;
   checkGridPicture(options);
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
@@ -71,14 +83,19 @@ void checkComplete(const Options& options) {
 Options parseOptions(const std::vector<std::string>& words) {
   Options options;
   options.shortHelp = words.empty();
+  std::vector<const OptionRow*> given;
   std::size_t at = 0;
   while (at < words.size()) {
     const OptionRow* row = findOption(nameOf(words[at]));
     if (!row) failUnknown(words[at]);
     const std::vector<std::string> following = followingWords(words, at, *row);
     row->apply({row->name, following}, options);
+    given.push_back(row);
     at += 1 + following.size();
   }
+  if (options.wantsText()) return options;
+  checkMode(options, given);
+  if (options.compare.isWanted()) return options;
   checkComplete(options);
   checkEnlargedSizes(options);
   return options;

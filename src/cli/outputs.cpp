@@ -5,8 +5,9 @@
 #include <stdexcept>
 
 #include "cli/program.h"
+#include "image/netpbm.h"
 #include "image/output_file.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 #include "render/filter_picture.h"
 
 namespace {
@@ -25,12 +26,23 @@ bool succeeds(const Output& output, const Work& work) {
   return false;
 }
 
+bool wantsFloats(const Output& output) {
+  const bool isTraced = output.kind == Output::Kind::color || output.kind == Output::Kind::depth ||
+                        output.kind == Output::Kind::normals;
+  return isTraced && formatOf(output.file) == PictureFormat::pfm;
+}
+
+void write(const Output& output) {
+  if (wantsFloats(output)) return writePfm(output.exact, output.file);
+  writePicture(output.image, output.file);
+}
+
 }  // namespace
 
 std::vector<Output> wantedOutputs(const Options& options) {
   std::vector<Output> outputs;
   const auto add = [&](Output::Kind kind, const std::string& file) {
-    if (!file.empty()) outputs.push_back({kind, file, Image()});
+    if (!file.empty()) outputs.push_back({kind, file, Image(), FloatImage()});
   };
   add(Output::Kind::color, options.output);
   add(Output::Kind::depth, options.depthOutput);
@@ -55,13 +67,13 @@ void makeImages(std::vector<Output>& outputs, const Options& options) {
     } else {
       const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
       output.image = Image(options.width * zoom, options.height * zoom);
+      if (wantsFloats(output)) output.exact = FloatImage(options.width, options.height);
     }
   }
 }
 
 std::size_t writeAll(const std::vector<Output>& outputs) {
   std::size_t written = 0;
-  for (const Output& output : outputs)
-    written += succeeds(output, [&] { writeTga(output.image, output.file); });
+  for (const Output& output : outputs) written += succeeds(output, [&] { write(output); });
   return written;
 }

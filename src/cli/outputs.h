@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "image/float_image.h"
 #include "image/image.h"
 
 struct Output {
   enum class Kind { color, depth, normals, samples, filter };
   Kind kind;
   std::string file;
-  Image image;  ///< empty until makeImages
+  Image image;       ///< empty until makeImages
+  FloatImage exact;  ///< its unclamped colours, empty where the format of the file has none
 };
 
 /// The outputs that `options` name, without their images.
@@ -25,3 +27,7 @@ void makeImages(std::vector<Output>& outputs, const Options& options);
 
 /// Writes every output, complaining of each that fails, and returns how many were written.
 std::size_t writeAll(const std::vector<Output>& outputs);
+
+/// Reads the scene and renders the outputs that `options` name, without writing them. Prints the
+/// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
+std::vector<Output> renderPictures(const Options& options);

@@ -5,14 +5,20 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 
+#include "accel/compiled_scene.h"
+#include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
 #include "cli/sampling_arguments.h"
 #include "cli/scene_geometry.h"
 #include "cli/stats.h"
 #include "render/renderer.h"
+#include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
+#include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -21,25 +27,23 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-/// Returns work(); where memory runs out, throws an error that says what it was needed for.
+class OutOfMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Returns work(); where memory runs out, throws OutOfMemory, which says what it was needed for.
 template <class Work>
 auto withMemory(const std::string& purpose, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("not enough memory " + purpose);
+    throw OutOfMemory("not enough memory " + purpose);
   }
 }
 
 std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
-}
-
-int print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return kDone;
-  complain("cannot write to standard output");
-  return kOutputFailed;
 }
 
 int checkScene(const Options& options) {
@@ -49,12 +53,21 @@ int checkScene(const Options& options) {
   });
   for (const std::string& warning : warnings) complain("warning: " + warning);
   for (const InputError& mistake : mistakes) complain(mistake.what());
+  if (mistakes.size() >= MistakeLog::kCapacity) {
+    complain(displayName(options.input) + ": reading ended with mistake number " +
+             std::to_string(mistakes.size()));
+  }
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(options.input) + ": no mistakes found\n");
 }
 
+/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
 int threadCount(const Options& options) {
-  return options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  constexpr int kMegabytesEach = 8;
+  const int wanted =
+      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
+  if (options.memoryLimit == 0) return wanted;
+  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
 }
 
 bool needsClosedMeshes(const RenderOptions& render) {
@@ -65,13 +78,24 @@ bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples;
 }
 
+FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
+
 /// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
 RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
   RenderTargets targets;
   for (Output& output : outputs) {
-    if (output.kind == Output::Kind::color) targets.color = &output.image;
-    if (output.kind == Output::Kind::depth) targets.depth = &output.image;
-    if (output.kind == Output::Kind::normals) targets.normals = &output.image;
+    if (output.kind == Output::Kind::color) {
+      targets.color = &output.image;
+      targets.exactColor = exactOf(output);
+    }
+    if (output.kind == Output::Kind::depth) {
+      targets.depth = &output.image;
+      targets.exactDepth = exactOf(output);
+    }
+    if (output.kind == Output::Kind::normals) {
+      targets.normals = &output.image;
+      targets.exactNormals = exactOf(output);
+    }
     if (output.kind == Output::Kind::samples) targets.samples = &output.image;
   }
   targets.depthMin = options.depthMin;
@@ -141,22 +165,21 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  SceneParser scene = withMemory("to read " + displayName(options.input),
-                                 [&] { return SceneParser(options.input.c_str()); });
-  checkFiles(options, scene.getMeshFiles());
+SceneParser readScene(const Options& options) {
+  return withMemory("to read " + displayName(options.input),
+                    [&] { return SceneParser(options.input.c_str()); });
+}
+
+void prepareScene(SceneParser& scene, const Options& options) {
   printWarnings(scene, options);
   if (needsClosedMeshes(options.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
-  stats.readSeconds = watch.restart();
+}
 
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
+/// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
+void renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
+                   Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -167,6 +190,21 @@ int renderScene(const Options& options) {
   if (wantsRays(targets)) {
     withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
   }
+}
+
+int renderScene(const Options& options) {
+  Stats stats;
+  Stopwatch watch;
+  SceneParser scene = readScene(options);
+  checkFiles(options, scene.getMeshFiles());
+  prepareScene(scene, options);
+  stats.readSeconds = watch.restart();
+
+  std::vector<Output> outputs = wantedOutputs(options);
+  const std::size_t wanted = outputs.size();
+  dropUnwritable(outputs);
+  if (outputs.empty() && wanted > 0) return kOutputFailed;
+  renderOutputs(scene, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
@@ -181,19 +219,54 @@ int runHere(const Options& options) {
   if (options.man) return print(manPage());
   if (options.completion) return print(completionScript());
   if (options.check) return checkScene(options);
+  if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
   return renderScene(options);
 }
 
-}  // namespace
-
-int runProgram(const Options& options) {
+int runOnOwnStack(const Options& options) {
   int status = kDone;
   runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
   return status;
 }
 
-void complain(const std::string& message) {
-  const std::string line = "raytracer: " + message + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
+/// Names the limit where it is what ended the run.
+int runWithin(int megabytes, const Options& options) {
+  const std::string limit = "-memory_limit " + std::to_string(megabytes) + ": ";
+  limitMemory(std::size_t(megabytes) << 20);
+  try {
+    return runOnOwnStack(options);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(limit + "not enough memory");
+  } catch (const OutOfMemory& error) {
+    throw std::runtime_error(limit + error.what());
+  } catch (const std::system_error& error) {  // no room for a thread's stack
+    throw std::runtime_error(limit + error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<Output> renderPictures(const Options& options) {
+  Stats stats;
+  SceneParser scene = readScene(options);
+  prepareScene(scene, options);
+  std::vector<Output> outputs = wantedOutputs(options);
+  renderOutputs(scene, options, outputs, stats);
+  return outputs;
+}
+
+int runProgram(const Options& options) {
+  return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
+}
+
+void complain(std::string_view message) {
+  std::fprintf(stderr, "raytracer: %.*s\n", int(message.size()), message.data());
 }

@@ -27,6 +27,16 @@ class ByteReader {
   }
   unsigned takeByte(const char* what) { return *take(1, what); }
 
+  /// Refuses a picture that is enormous for so small a file, before memory is asked for: one of
+  /// more than 2^26 pixels has at least a byte for each 256 of them. (A PNG of nothing but zeros
+  /// has 344 to 1032, a run-length encoded TGA at most 64.)
+  void checkSize(std::uint64_t width, std::uint64_t height) const {
+    constexpr std::uint64_t kMostPixels = 1 << 26, kMostPerByte = 256;
+    if (width * height <= kMostPixels || width * height / kMostPerByte <= bytes_.size()) return;
+    fail("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+         " pixels in a file of " + std::to_string(bytes_.size()) + " bytes is refused");
+  }
+
   [[noreturn]] void fail(const std::string& message) const { throw ImageError(name_, message); }
 
  private:

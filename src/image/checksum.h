@@ -25,8 +25,10 @@ inline std::uint32_t crc32(const std::uint8_t* bytes, std::size_t size) {
   return ~crc;
 }
 
-inline std::uint32_t adler32(const std::uint8_t* bytes, std::size_t size) {
-  std::uint32_t sum = 1, sumOfSums = 0;
+/// `before` is the sum of the bytes that come before these: of none at all it is 1.
+inline std::uint32_t adler32(const std::uint8_t* bytes, std::size_t size,
+                             std::uint32_t before = 1) {
+  std::uint32_t sum = before & 0xFFFF, sumOfSums = before >> 16;
   for (std::size_t i = 0; i < size; ++i) {
     sum = (sum + bytes[i]) % 65521;  // the largest prime below 2^16
     sumOfSums = (sumOfSums + sum) % 65521;

@@ -6,11 +6,12 @@
 
 #include "image/byte_reader.h"
 #include "image/checksum.h"
+#include "image/deflate_tables.h"
 
 namespace {
 
-constexpr unsigned kLongestCode = 15;
-constexpr unsigned kEndOfBlock = 256;
+using deflate::kEndOfBlock;
+using deflate::kLongestCode;
 
 /// The bits of the input, the lowest bit of each byte first.
 class BitReader {
@@ -84,24 +85,8 @@ class PrefixCode {
   std::array<std::uint16_t, 288> symbol_ = {};              // by code
 };
 
-/// RFC 1951, 3.2.5: what a length or distance symbol starts from, and its further bits.
-struct Range {
-  std::uint16_t base;
-  std::uint8_t bits;
-};
-constexpr Range kLengths[] = {
-    {3, 0},  {4, 0},  {5, 0},  {6, 0},   {7, 0},   {8, 0},   {9, 0},   {10, 0},  {11, 1}, {13, 1},
-    {15, 1}, {17, 1}, {19, 2}, {23, 2},  {27, 2},  {31, 2},  {35, 3},  {43, 3},  {51, 3}, {59, 3},
-    {67, 4}, {83, 4}, {99, 4}, {115, 4}, {131, 5}, {163, 5}, {195, 5}, {227, 5}, {258, 0}};
-constexpr Range kDistances[] = {{1, 0},     {2, 0},     {3, 0},      {4, 0},      {5, 1},
-                                {7, 1},     {9, 2},     {13, 2},     {17, 3},     {25, 3},
-                                {33, 4},    {49, 4},    {65, 5},     {97, 5},     {129, 6},
-                                {193, 6},   {257, 7},   {385, 7},    {513, 8},    {769, 8},
-                                {1025, 9},  {1537, 9},  {2049, 10},  {3073, 10},  {4097, 11},
-                                {6145, 11}, {8193, 12}, {12289, 12}, {16385, 13}, {24577, 13}};
-
 template <std::size_t N>
-unsigned takeRange(const Range (&table)[N], unsigned symbol, BitReader& bits) {
+unsigned takeRange(const deflate::Range (&table)[N], unsigned symbol, BitReader& bits) {
   if (symbol >= N) throw InflateError("a length or distance that does not exist");
   return table[symbol].base + bits.take(table[symbol].bits);
 }
@@ -169,12 +154,10 @@ class Inflater {
   }
 
   PrefixCode readLengthCode() {
-    static constexpr std::uint8_t kOrder[19] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
-                                                11, 4,  12, 3, 13, 2, 14, 1, 15};
-    std::array<std::uint8_t, 19> lengths = {};
+    std::array<std::uint8_t, deflate::kLengthCodeSymbols> lengths = {};
     const unsigned count = bits_.take(4) + 4;
     for (unsigned i = 0; i < count; ++i) {
-      lengths[kOrder[i]] = static_cast<std::uint8_t>(bits_.take(3));
+      lengths[deflate::kLengthCodeOrder[i]] = static_cast<std::uint8_t>(bits_.take(3));
     }
     return {lengths.data(), lengths.size()};
   }
@@ -208,8 +191,8 @@ class Inflater {
         output_.push_back(static_cast<std::uint8_t>(symbol));
         continue;
       }
-      const std::size_t length = takeRange(kLengths, symbol - kEndOfBlock - 1, bits_);
-      const std::size_t distance = takeRange(kDistances, distances.decode(bits_), bits_);
+      const std::size_t length = takeRange(deflate::kLengths, symbol - kEndOfBlock - 1, bits_);
+      const std::size_t distance = takeRange(deflate::kDistances, distances.decode(bits_), bits_);
       if (distance > output_.size()) throw InflateError("a copy from before the beginning");
       checkRoom(length);
       // Byte by byte: a copy may overlap itself.

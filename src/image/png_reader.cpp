@@ -1,13 +1,12 @@
 // PNG reader: chunks (RFC 2083, 3 and 4), filters (6), pixels.
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 #include "image/byte_reader.h"
 #include "image/checksum.h"
 #include "image/inflate.h"
 #include "image/png.h"
-#include "image/tga.h"
+#include "image/png_filter.h"
 
 namespace {
 
@@ -172,6 +171,7 @@ class PngFile {
                    std::to_string(height_) + " pixels, found " + std::to_string(data_.size()) +
                    " compressed bytes");
     }
+    reader_.checkSize(width_, height_);
     Bytes rows;
     try {
       rows = inflateZlib(data_, size);
@@ -189,41 +189,18 @@ class PngFile {
 
   std::size_t rowSize() const { return 1 + std::size_t{width_} * channels_; }
 
-  /// RFC 2083, 6.6: whichever of left, above and corner is nearest to left + above - corner.
-  static int paeth(int left, int above, int corner) {
-    const int toLeft = std::abs(above - corner);
-    const int toAbove = std::abs(left - corner);
-    const int toCorner = std::abs(left + above - 2 * corner);
-    if (toLeft <= toAbove && toLeft <= toCorner) return left;
-    return toAbove <= toCorner ? above : corner;
-  }
-
-  static int predict(unsigned filter, int left, int above, int corner) {
-    switch (filter) {
-      case 0:
-        return 0;
-      case 1:
-        return left;
-      case 2:
-        return above;
-      case 3:
-        return (left + above) / 2;
-      default:
-        return paeth(left, above, corner);
-    }
-  }
-
   /// `row` points at the filter byte; the row before it is already done. Beyond the edges is 0.
   void unfilter(std::uint8_t* row, bool hasAbove) const {
     const unsigned filter = row[0];
-    if (filter > 4) reader_.fail("expected a filter of 0 to 4, found " + std::to_string(filter));
+    if (filter >= png::kFilters)
+      reader_.fail("expected a filter of 0 to 4, found " + std::to_string(filter));
     if (filter == 0) return;
     for (std::size_t i = 1; i < rowSize(); ++i) {
       const bool hasLeft = i > channels_;
       const int left = hasLeft ? row[i - channels_] : 0;
       const int above = hasAbove ? *(row + i - rowSize()) : 0;
       const int corner = hasLeft && hasAbove ? *(row + i - rowSize() - channels_) : 0;
-      row[i] = static_cast<std::uint8_t>(row[i] + predict(filter, left, above, corner));
+      row[i] = static_cast<std::uint8_t>(row[i] + png::predict(filter, left, above, corner));
     }
   }
 
@@ -271,8 +248,3 @@ Image decodePng(const Bytes& bytes, const std::string& name) {
 }
 
 Image readPng(const std::string& path) { return decodePng(readBytes(path), path); }
-
-Image readImage(const std::string& path) {
-  const Bytes bytes = readBytes(path);
-  return isPng(bytes) ? decodePng(bytes, path) : decodeTga(bytes, path);
-}

@@ -122,7 +122,7 @@ class PixelReader {
     const std::size_t packets = (reader_.remaining() + pixelBytes) / (1 + pixelBytes);
     const std::size_t most =
         header_.runLength ? packets * kLongestPacket : reader_.remaining() / pixelBytes;
-    if (most >= header_.pixels()) return;
+    if (most >= header_.pixels()) return reader_.checkSize(header_.width, header_.height);
     reader_.fail("expected the data of " + std::to_string(header_.width) + " x " +
                  std::to_string(header_.height) + " pixels, found " +
                  std::to_string(reader_.remaining()) + " bytes");

@@ -72,21 +72,30 @@ class TileRenderer {
                  int count) const {
     Vec3f colors[kTilePixels];
     tracer_.traceBatch(rays, count, 0, hits, colors);
-    for (int k = 0; k < count; ++k) targets_.color->setPixel(pixels[k].i, pixels[k].j, colors[k]);
+    for (int k = 0; k < count; ++k) {
+      set(targets_.color, targets_.exactColor, pixels[k], colors[k]);
+    }
   }
 
   void setSurface(const Hit& hit, Pixel at) const {
     const bool found = hit.getT() < Hit().getT();
-    if (targets_.depth) targets_.depth->setPixel(at.i, at.j, found ? depthColor(hit) : Vec3f());
+    if (targets_.depth) {
+      set(targets_.depth, targets_.exactDepth, at, found ? depthColor(hit) : Vec3f());
+    }
     if (targets_.normals) {
-      targets_.normals->setPixel(at.i, at.j, found ? normalColor(hit) : Vec3f());
+      set(targets_.normals, targets_.exactNormals, at, found ? normalColor(hit) : Vec3f());
     }
   }
 
+  static void set(Image* image, FloatImage* exact, Pixel at, const Vec3f& color) {
+    image->setPixel(at.i, at.j, color);  // clamps
+    if (exact) exact->setPixel(at.i, at.j, color);
+  }
+
   Vec3f depthColor(const Hit& hit) const {
-    const double grey = (targets_.depthMax - hit.getT()) / (targets_.depthMax - targets_.depthMin);
-    const float clamped = float(std::clamp(grey, 0.0, 1.0));
-    return {clamped, clamped, clamped};
+    const double span = targets_.depthMax - targets_.depthMin;
+    const float grey = float((targets_.depthMax - hit.getT()) / span);
+    return {grey, grey, grey};
   }
 
   static Vec3f normalColor(const Hit& hit) {

@@ -84,7 +84,9 @@ void SampledRenderer::renderTile(int tile) const {
 void SampledRenderer::store(const Film& film, const PixelRectangle& area) const {
   for (int j = area.bottom; j < area.top; ++j) {
     for (int i = area.left; i < area.right; ++i) {
-      targets_.color->setPixel(i, j, film.getColor({i, j}));
+      const Vec3f color = film.getColor({i, j});
+      targets_.color->setPixel(i, j, color);
+      if (targets_.exactColor) targets_.exactColor->setPixel(i, j, color);
     }
   }
 }

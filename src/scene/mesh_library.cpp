@@ -12,6 +12,7 @@
 namespace {
 
 constexpr std::size_t kShownPath = 200;
+constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longer name
 
 /// The file's one true path; empty, and a reason, where there is no such file.
 std::string resolved(const std::string& path, std::string& reason) {
@@ -55,7 +56,9 @@ const MeshGeometry* MeshLibrary::load(std::string_view name, bool& isNew) {
     isNew = false;
     tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
   }
-  const std::string why = tried.empty() ? "no file can have this name" : "looked for " + tried;
+  const std::string why = name.size() > kLongestPath ? "a path has at most 4096 bytes"
+                          : tried.empty()            ? "no file can have this name"
+                                                     : "looked for " + tried;
   log_.add(place, InputError(scene_.name(), scene_.lineAt(name.data()),
                              "cannot read the mesh " + quoted(name) + "; " + why));
   return nullptr;
@@ -75,7 +78,6 @@ const MeshGeometry* MeshLibrary::keep(MeshGeometry&& mesh) {
 }
 
 std::vector<std::string> MeshLibrary::candidates(std::string_view name) const {
-  constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longer name
   if (name.size() > kLongestPath || name.find('\0') != std::string_view::npos) return {};
   std::string text(name);
   std::replace(text.begin(), text.end(), '\\', '/');

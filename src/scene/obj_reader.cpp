@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <filesystem>
 
 #include "scene/obj_part.h"
 #include "scene/statement_chunks.h"
@@ -94,6 +95,9 @@ bool join(std::deque<ObjPart>& parts, MeshGeometry& mesh) {
 }  // namespace
 
 bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometry& mesh) {
+  std::error_code ignored;
+  // Not even opened: the writer of a FIFO would take the end of that for the end of its reader.
+  if (!std::filesystem::is_regular_file(filename, ignored)) return false;
   const OpenFile file(filename);
   if (!file.isOpen() || file.regularSize() < 0) return false;
   const off_t chunkCount = file.regularSize() / off_t(how.chunkBytes) + 1;

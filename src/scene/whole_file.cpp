@@ -17,6 +17,8 @@
 namespace {
 
 constexpr std::size_t kChunk = std::size_t(1) << 20;
+constexpr std::size_t kLeastRoom = 4096;
+constexpr std::size_t kPipe = std::size_t(1) << 16;  // what a pipe holds, and gives at a time
 /// Devices such as /dev/zero never end: more than this from one is a mistake.
 constexpr std::size_t kMaxDeviceBytes = std::size_t(64) << 20;
 
@@ -33,11 +35,13 @@ std::string readToEnd(int descriptor, std::string& bytes) {
   preferLargePages(bytes.data(), bytes.capacity());
   const std::size_t limit =
       S_ISCHR(status.st_mode) ? kMaxDeviceBytes : std::numeric_limits<std::size_t>::max();
+  const std::size_t most = S_ISREG(status.st_mode) ? kChunk : kPipe;
   for (;;) {
     const std::size_t size = bytes.size();
     if (size > limit) return "the device gives more than 64 MB, expected a file";
     const std::size_t room = bytes.capacity() - size;
-    bytes.resize(size + std::min(std::max(room, std::size_t(4096)), kChunk));
+    // The end is found with what room there is: more would copy all that has been read.
+    bytes.resize(size + (room > 0 ? std::min(room, most) : kLeastRoom));
     const ssize_t count = readSome(descriptor, &bytes[size], bytes.size() - size);
     bytes.resize(size + std::size_t(std::max(count, ssize_t(0))));
     if (count < 0) return systemReason();
@@ -49,10 +53,8 @@ bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
   try {
     bytes.clear();
     reason = readToEnd(descriptor, bytes);
-  } catch (const std::bad_alloc&) {
-    reason = "it does not fit in memory";
-  } catch (const std::length_error&) {
-    reason = "it does not fit in memory";
+  } catch (const std::length_error&) {  // more than any memory holds
+    throw std::bad_alloc();
   }
   return reason.empty();
 }

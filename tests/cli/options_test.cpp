@@ -15,7 +15,12 @@ using Words = std::vector<std::string>;
 
 /// Parses a complete command that also has `words`.
 Options parse(const Words& words) {
+  const std::string name =
+      words.empty() ? ""
+                    : words[0].substr(std::min(words[0].size(), words[0].find_first_not_of('-')));
+  const OptionRow* row = findOption(name);
   Words all = {"-input", "scene.txt", "-output", "out.tga"};
+  if (row && row->mode == OptionRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
   all.insert(all.end(), words.begin(), words.end());
   return parseOptions(all);
 }
@@ -52,9 +57,8 @@ Words sampleWords(const OptionRow& row) {
     if (word == "FILE") word = "file";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    if (word == "MIN" || word == "N" || word == "W" || word == "H" || word == "E") word = "1";
-    if (word == "NX" || word == "NY" || word == "NZ") word = "3";
-    if (word == "R" || word == "SIGMA" || word == "TOLERANCE" || word == "ZOOM") word = "1";
+    const std::string numbers = " MB MIN N W H E NX NY NZ P R SIGMA TOLERANCE ZOOM ";
+    if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "MAX") word = "2";
   }
   return words;
@@ -124,7 +128,11 @@ TEST("every argument of the contract is in the table") {
                            "quiet",
                            "check",
                            "help",
-                           "version"})
+                           "version",
+                           "compare",
+                           "tolerance",
+                           "fail_percent",
+                           "csv"})
     CHECK(findOption(name) != nullptr);
 }
 

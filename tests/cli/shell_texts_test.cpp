@@ -103,10 +103,9 @@ TEST("bash's completion knows every choice that the parser takes") {
 TEST("the manual page has every argument under its group, and troff finds no fault in it") {
   const std::string page = manPage();
   for (const OptionRow& row : optionTable()) {
-    std::string name;
-    for (const char c : std::string(row.name)) name += c == '-' ? "\\-" : std::string(1, c);
-    CHECK_EQUAL(countOf(page, ".TP\n\\fB\\-" + name + "\\fR"), std::size_t(1));
-    CHECK_EQUAL(countOf(page, std::string(".SS ") + row.group + "\n"), std::size_t(1));
+    const std::string group = std::string(row.group).substr(0, std::string(row.group).find('('));
+    CHECK_EQUAL(countOf(page, std::string(".TP\n\\fB\\-") + row.name + "\\fR"), std::size_t(1));
+    CHECK_EQUAL(countOf(page, ".SS " + group), std::size_t(1));
   }
   const Desk desk;
   const std::string file = quoted(desk.write("raytracer.1", page));

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "image/checksum.h"
 #include "image/inflate.h"
+#include "image/picture_file.h"
 
 namespace {
 

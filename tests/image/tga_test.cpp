@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "image/output_file.h"
+#include "image/picture_file.h"
 #include "image/png.h"
 
 namespace {

@@ -1,0 +1,232 @@
+// The run of `raytracer -compare`.
+#include "cli/compare_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <set>
+
+#include "cli/command_table.h"
+#include "cli/compare_output.h"
+#include "cli/outputs.h"
+#include "cli/picture_pairs.h"
+#include "cli/program.h"
+#include "image/output_file.h"
+#include "image/picture_file.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Result = ComparedPair::Result;
+
+bool isFolder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// Calls work(); where a picture or scene is at fault, the pair is unreadable and says why.
+template <class Work>
+void attempt(ComparedPair& pair, const Work& work) {
+  try {
+    work();
+    return;
+  } catch (const std::bad_alloc&) {
+    pair.fault = "not enough memory to compare " + pair.name;
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::exception& error) {
+    pair.fault = error.what();
+  }
+  pair.result = Result::unreadable;
+  complain(pair.fault);
+}
+
+ComparedPair compareFiles(const PicturePair& files, const CompareOptions& options) {
+  ComparedPair pair;
+  pair.name = files.name;
+  pair.expected = files.expected;
+  pair.actual = files.actual;
+  if (files.expected.empty() || files.actual.empty()) {
+    pair.result = files.actual.empty() ? Result::missing : Result::unexpected;
+    pair.fault = files.actual.empty() ? "no actual picture" : "no expected picture";
+    return pair;
+  }
+  attempt(pair, [&] {
+    const Image expected = readImage(files.expected), actual = readImage(files.actual);
+    comparePictures(expected, actual, options, pair);
+    if (!options.diff.empty()) writePicture(differencePicture(expected, actual), options.diff);
+  });
+  return pair;
+}
+
+std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
+  std::vector<ComparedPair> pairs;
+  for (const PicturePair& files : pairsIn(options.expected, options.actual)) {
+    pairs.push_back(compareFiles(files, options));
+  }
+  return pairs;
+}
+
+/// Renders the pictures of table lines and compares them with those of a folder.
+class TableRun {
+ public:
+  explicit TableRun(const Options& options)
+      : options_(options), expected_(picturesIn(options.compare.expected)) {}
+
+  std::vector<ComparedPair> run() {
+    for (TableCommand& command : readCommandTable(options_.compare.actual)) {
+      if (command.options.threads == 0) command.options.threads = options_.threads;
+      command.options.quiet |= options_.quiet;
+      compareOutputs(command);
+    }
+    for (const std::string& name : expected_) {
+      if (taken_.count(name) > 0) continue;
+      pairs_.push_back(pairFor(name, name));
+      pairs_.back().result = Result::missing;
+      pairs_.back().fault = "no command gives this picture";
+    }
+    return std::move(pairs_);
+  }
+
+ private:
+  ComparedPair pairFor(const std::string& name, const std::string& expected) const {
+    ComparedPair pair;
+    pair.name = name;
+    if (!expected.empty())
+      pair.expected = (fs::path(options_.compare.expected) / expected).string();
+    return pair;
+  }
+
+  void compareOutputs(const TableCommand& command) {
+    std::vector<Output> outputs = wantedOutputs(command.options);
+    ComparedPair whole = pairFor(outputs[0].file, "");
+    attempt(whole, [&] { outputs = renderPictures(command.options); });
+    for (const Output& output : outputs) {
+      const std::string partner = partnerOf(output.file, expected_);
+      if (!partner.empty()) taken_.insert(partner);
+      ComparedPair pair = pairFor(output.file, partner);
+      pair.actual = command.text;
+      if (whole.result == Result::unreadable) {
+        pair.result = whole.result;
+        pair.fault = whole.fault;
+      } else if (partner.empty()) {
+        pair.result = Result::unexpected;
+        pair.fault = "no expected picture";
+      } else {
+        attempt(pair, [&] {
+          comparePictures(readImage(pair.expected), output.image, options_.compare, pair);
+        });
+      }
+      pairs_.push_back(std::move(pair));
+    }
+  }
+
+  const Options& options_;
+  const std::vector<std::string> expected_;
+  std::set<std::string> taken_;
+  std::vector<ComparedPair> pairs_;
+};
+
+bool beginsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// Adds the rows to what is in the file, which begins with the heading unless it is new or empty.
+void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path) {
+  std::error_code ignored;
+  std::string text;
+  if (fs::is_regular_file(path, ignored)) {
+    std::ifstream in(path, std::ios::binary);
+    text.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    if (!in) throw OutputError(path, "what it holds cannot be read");
+  }
+  if (text.empty()) text = csvHeading();
+  if (!beginsWith(text, csvHeading())) {
+    throw OutputError(path, "it does not begin with the heading of such a table");
+  }
+  if (text.back() != '\n') text += "\r\n";
+  for (const ComparedPair& pair : pairs) text += csvRow(pair);
+  writeFile(path, text.data(), text.size());
+}
+
+CompareStatus statusOf(const std::vector<ComparedPair>& pairs) {
+  CompareStatus status = kSame;
+  for (const ComparedPair& pair : pairs) {
+    if (pair.result == Result::unreadable) return kUnreadable;
+    if (pair.result != Result::same) status = kDifferent;
+  }
+  return status;
+}
+
+/// False where one of the files cannot be written, which has then been said.
+bool writeOutputs(std::vector<ComparedPair>& pairs, const CompareOptions& options) {
+  bool written = true;
+  const auto attemptWriting = [&written](const auto& write) {
+    try {
+      write();
+    } catch (const OutputError& error) {
+      complain(error.what());
+      written = false;
+    }
+  };
+  if (!options.csv.empty()) attemptWriting([&] { addToCsv(pairs, options.csv); });
+  if (!options.report.empty()) {
+    std::stable_sort(pairs.begin(), pairs.end(), isWorse);
+    const std::string page = reportPage(pairs, options);
+    attemptWriting([&] { writeFile(options.report, page.data(), page.size()); });
+  }
+  return written;
+}
+
+/// Throws UsageError where an output is one of the things compared, or two outputs are one file.
+void checkOutputs(const CompareOptions& options) {
+  const std::string* const files[] = {&options.expected, &options.actual, &options.diff,
+                                      &options.report, &options.csv};
+  for (int i = 2; i < 5; ++i) {
+    if (files[i]->empty()) continue;
+    for (int k = 0; k < i; ++k) {
+      std::error_code error;
+      const bool isSame = *files[i] == *files[k] || fs::equivalent(*files[i], *files[k], error);
+      if (!isSame || fs::is_character_file(*files[i], error)) continue;
+      throw UsageError("-compare: expected different files, found '" + *files[k] + "' and '" +
+                       *files[i] + "'");
+    }
+  }
+}
+
+std::vector<ComparedPair> compareAll(const Options& options) {
+  const CompareOptions& compare = options.compare;
+  const bool folder = isFolder(compare.expected), both = folder && isFolder(compare.actual);
+  if (!folder) {
+    const std::string name = fs::path(compare.expected).filename().string();
+    return {compareFiles({name, compare.expected, compare.actual}, compare)};
+  }
+  if (!compare.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
+  return both ? compareFolders(compare) : TableRun(options).run();
+}
+
+}  // namespace
+
+int runComparison(const Options& options) {
+  const CompareOptions& compare = options.compare;
+  checkOutputs(compare);
+  std::vector<ComparedPair> pairs;
+  try {
+    pairs = compareAll(options);
+  } catch (const ImageError& error) {
+    complain(error.what());
+    return kUnreadable;
+  }
+  if (pairs.empty()) {
+    complain(compare.expected + ": expected pictures to compare, found none");
+    return kUnreadable;
+  }
+  const CompareStatus status = statusOf(pairs);
+  const bool single = !isFolder(compare.expected);
+  const std::string text = single ? figureLines(pairs[0], compare) : pairLines(pairs);
+  const bool printed = options.quiet || print(text) == kDone;
+  const bool written = writeOutputs(pairs, compare);
+  return (printed && written) || status != kSame ? status : kDifferent;
+}

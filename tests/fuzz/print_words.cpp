@@ -1,0 +1,33 @@
+// Prints the program's own words as dictionary entries: those of the scene language
+// (`fuzz_words scene`) or the arguments (`fuzz_words options`); nothing for any other name.
+#include <cstdio>
+#include <cstring>
+
+#include "cli/option_table.h"
+#include "scene/scene_words.h"
+
+namespace {
+
+void printSceneWords() {
+  const WordList lists[] = {kSectionWords, kLightWords,     kMaterialWords,
+                            kGroupWords,   kTransformWords, kFieldWords};
+  for (const WordList& list : lists) {
+    for (const std::string_view word : list) {
+      std::printf("\"%.*s \"\n", int(word.size()), word.data());
+    }
+  }
+}
+
+void printArguments() {
+  for (const OptionRow& row : optionTable()) {
+    std::printf("\"-%s\\x0a\"\n", row.name);
+    if (row.otherName) std::printf("\"-%s\\x0a\"\n", row.otherName);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 2 && std::strcmp(argv[1], "scene") == 0) printSceneWords();
+  if (argc == 2 && std::strcmp(argv[1], "options") == 0) printArguments();
+}

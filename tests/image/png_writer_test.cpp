@@ -1,0 +1,104 @@
+// PNG: what is written is read back, and what the filters do.
+#include <algorithm>
+
+#include "check.h"
+#include "image/png.h"
+#include "image/png_filter.h"
+#include "random.h"
+
+namespace {
+
+bool isEqual(const Image& a, const Image& b) {
+  if (a.Width() != b.Width() || a.Height() != b.Height()) return false;
+  for (int y = 0; y < a.Height(); ++y) {
+    for (int x = 0; x < a.Width(); ++x) {
+      if (a.getPixel(x, y) != b.getPixel(x, y)) return false;
+    }
+  }
+  return true;
+}
+
+/// kind 0: flat; 1: noise; 2: slopes; 3: noise in few colours.
+Image picture(int width, int height, int kind, Random& random) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto any = [&] { return std::uint8_t(random.index(256)); };
+      const auto few = [&] { return std::uint8_t(random.index(3) * 100); };
+      const Rgb8 pixel = kind == 0   ? Rgb8{9, 200, 77}
+                         : kind == 1 ? Rgb8{any(), any(), any()}
+                         : kind == 2
+                             ? Rgb8{std::uint8_t(x), std::uint8_t(y / 2), std::uint8_t(x + y)}
+                             : Rgb8{few(), few(), few()};
+      image.setPixel(x, y, pixel);
+    }
+  }
+  return image;
+}
+
+bool comesBack(const Image& image) {
+  return isEqual(decodePng(encodePng(image), "a.png"), image) &&
+         isEqual(decodePng(encodePng(image, PngEffort::quick), "b.png"), image);
+}
+
+}  // namespace
+
+TEST("pictures of every kind and shape come back from a PNG") {
+  Random random(21);
+  const int sizes[][2] = {{1, 1}, {1, 300}, {300, 1}, {2, 3}, {67, 41}, {400, 300}};
+  for (const auto& size : sizes) {
+    for (int kind = 0; kind < 4; ++kind) {
+      const bool back = comesBack(picture(size[0], size[1], kind, random));
+      check::report(back, __FILE__, __LINE__,
+                    std::to_string(size[0]) + " x " + std::to_string(size[1]) + ", kind " +
+                        std::to_string(kind));
+    }
+  }
+}
+
+TEST("pictures as wide or as high as can be come back from a PNG") {
+  Random random(22);
+  CHECK(comesBack(picture(65535, 2, 2, random)));
+  CHECK(comesBack(picture(1, 65535, 2, random)));
+}
+
+TEST("a picture of several stretches comes back from a PNG") {
+  Random random(23);
+  // 1000 x 700 pixels are two stretches of a megabyte, and beyond what is tried thoroughly.
+  CHECK(comesBack(picture(1000, 700, 2, random)));
+  CHECK(comesBack(picture(700, 500, 2, random)));  // 1.05 MB, thoroughly
+}
+
+TEST("a filtered row is each byte less the guess of RFC 2083, 6") {
+  const Bytes row = {10, 20, 30, 15, 5, 40}, above = {4, 8, 6, 12, 2, 50};
+  const std::uint8_t expected[5][7] = {
+      {0, 10, 20, 30, 15, 5, 40},
+      {1, 10, 20, 30, 5, 241, 10},  // 15 - 10, 5 - 20, 40 - 30
+      {2, 6, 12, 24, 3, 3, 246},
+      // 10 - 4/2, 20 - 8/2, 30 - 6/2; 15 - (10+12)/2, 5 - (20+2)/2, 40 - (30+50)/2
+      {3, 8, 16, 27, 4, 250, 0},
+      // First pixel: left and corner are 0, so above. Then 10 + 12 - 4 = 18, nearest 12: 3;
+      // 20 + 2 - 8 = 14, nearest 20 (6 off; above 12, corner 6, left wins ties): 241;
+      // 30 + 50 - 6 = 74, nearest 50: 246.
+      {4, 6, 12, 24, 3, 241, 246}};
+  for (unsigned filter = 0; filter < png::kFilters; ++filter) {
+    std::uint8_t found[7];
+    png::filterRow(filter, row, above, found);
+    CHECK(std::equal(found, found + 7, expected[filter]));
+  }
+  // Sums of |differences|: 120; 10+20+30+5+15+10 = 90; 6+12+24+3+3+10 = 58; 8+16+27+4+6+0 = 61;
+  // 6+12+24+3+15+10 = 70.
+  CHECK_EQUAL(png::leastDifference(row, above), 2u);
+}
+
+TEST("slopes cost little, for the filters guess them") {
+  Random random(24);
+  const Image slopes = picture(256, 256, 2, random);
+  // 196608 bytes; a filter leaves each row but the first ones nearly constant.
+  CHECK(encodePng(slopes).size() < 2000);
+}
+
+TEST("the same picture gives the same bytes") {
+  Random random(25), again(25);
+  CHECK(encodePng(picture(90, 80, 3, random)) == encodePng(picture(90, 80, 3, again)));
+}
