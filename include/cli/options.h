@@ -27,6 +27,12 @@ struct Options {
     tree,  ///< the plain object tree, for checking
     grid   ///< a uniform grid of gridSize cells
   };
+  /// Whether standard error tells how far the picture is.
+  enum class Progress {
+    automatic,  ///< where it is a terminal
+    on,
+    off
+  };
   /// Cells of the grid drawn in place of the scene.
   enum class GridPicture {
     none,   ///< the scene itself
@@ -57,7 +63,9 @@ struct Options {
   GridPicture gridPicture = GridPicture::none;  ///< anything else only with Accel::grid
   SimdLevel simd = SimdLevel::automatic;        ///< the best that is wanted
 
-  bool quiet = false;      ///< no warnings, no progress
+  bool quiet = false;  ///< no warnings
+  Progress progress = Progress::automatic;
+  bool preview = false;    ///< show the picture on standard output
   bool stats = false;      ///< print what was used and how long it took
   bool check = false;      ///< read the scene, report every mistake, render nothing
   bool shortHelp = false;  ///< no argument at all was given

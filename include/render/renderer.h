@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
+#include "render/tile_listener.h"
 #include "scene/scene_parser.h"
 
 /// The pictures wanted; null where one is not. All that are given have the same size, but
@@ -25,6 +26,7 @@ struct RenderTargets {
   FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
+  TileListener* listener = nullptr;  ///< null: nobody wants to know of tiles
 };
 
 /// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`

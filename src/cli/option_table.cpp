@@ -176,13 +176,24 @@ std::vector<OptionRow> checkingRows() {
 std::vector<OptionRow> informationRows() {
   const char* group = "Information";
   return {
+      {group, "progress", nullptr, "", nullptr,
+       "tell on standard error how far the picture is, even where that is no terminal",
+       [](Given, Options& o) { o.progress = Options::Progress::on; }},
+      {group, "preview", nullptr, "", nullptr,
+       "show the picture on standard output, in coloured characters as large as the window; on a "
+       "terminal from the first tile on",
+       [](Given, Options& o) { o.preview = true; }},
       {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
-       [](Given, Options& o) { o.quiet = true; }, OptionRow::Mode::both},
+       [](Given, Options& o) {
+         o.quiet = true;
+         o.progress = Options::Progress::off;
+       },
+       OptionRow::Mode::both},
       {group, "help", "h", "", nullptr, "print this list", [](Given, Options& o) { o.help = true; },
        OptionRow::Mode::both},
       {group, "version", nullptr, "", nullptr, "print the version",
        [](Given, Options& o) { o.version = true; }, OptionRow::Mode::both},
-      {group, "man", nullptr, "", nullptr, "print the manual page, to be read with man -l",
+      {group, "man", nullptr, "", nullptr, "print the manual page, to be read with man -l -",
        [](Given, Options& o) { o.man = true; }, OptionRow::Mode::both},
       {group, "completion", nullptr, "", nullptr,
        "print a script for bash, which then completes arguments",

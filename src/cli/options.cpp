@@ -71,11 +71,12 @@ void checkComplete(const Options& options) {
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
                          !options.normalsOutput.empty() || !options.samplesOutput.empty() ||
-                         !options.filterOutput.empty() || options.stats || options.check;
+                         !options.filterOutput.empty() || options.stats || options.check ||
+                         options.preview;
   if (!anyOutput)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
-        "-render_samples, -render_filter, -stats and -check");
+        "-render_samples, -render_filter, -preview, -stats and -check");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
+#include "cli/run_display.h"
 #include "cli/sampling_arguments.h"
 #include "cli/scene_geometry.h"
 #include "cli/stats.h"
@@ -101,7 +102,7 @@ RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Im
   targets.depthMin = options.depthMin;
   targets.depthMax = options.depthMax;
   targets.samplesZoom = options.samplesZoom;
-  if (!wantsRays(targets) && options.stats) {
+  if (!wantsRays(targets) && (options.stats || options.preview)) {
     unwritten = Image(options.width, options.height);
     targets.color = &unwritten;
   }
@@ -178,18 +179,22 @@ void prepareScene(SceneParser& scene, const Options& options) {
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-void renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
-                   Stats& stats) {
+/// Returns kOutputFailed where standard output fails.
+int renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
+                  Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
-  const RenderTargets targets = withMemory("for images of " + size, [&] {
+  RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
-  if (wantsRays(targets)) {
-    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
-  }
+  if (!wantsRays(targets)) return kDone;
+  RunDisplay display(options, targets);
+  if (display.isWanted()) targets.listener = &display;
+  withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+  display.finish();
+  return print(display.lastPicture());
 }
 
 int renderScene(const Options& options) {
@@ -204,12 +209,12 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
-  renderOutputs(scene, options, outputs, stats);
+  const int shown = renderOutputs(scene, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
   stats.writeSeconds = watch.restart();
   const int printed = options.stats ? print(stats.text()) : kDone;
-  return written == wanted ? printed : kOutputFailed;
+  return written == wanted ? std::max(printed, shown) : kOutputFailed;
 }
 
 int runHere(const Options& options) {

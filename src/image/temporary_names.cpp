@@ -24,8 +24,9 @@ struct Slot {
 };
 
 Slot slots[kMostTemporaries];
-std::atomic<bool> changing{false};  // a thread is creating a file and noting its name
-std::atomic<bool> ending{false};    // a handler has begun: nothing may be created any more
+std::atomic<bool> changing{false};    // a thread is creating a file and noting its name
+std::atomic<bool> isLineOpen{false};  // on standard error
+std::atomic<bool> ending{false};      // a handler has begun: nothing may be created any more
 static_assert(std::atomic<bool>::is_always_lock_free, "used in a signal handler");
 
 /// Blocks all signals in this thread and keeps handlers in other threads waiting, so that a file
@@ -60,6 +61,7 @@ extern "C" void removeAndEnd(int signal) {
   for (const Slot& slot : slots) {
     if (slot.taken) unlink(slot.name);
   }
+  if (isLineOpen && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
   _exit(128 + signal);
 }
 
@@ -101,6 +103,8 @@ int createTemporary(const std::string& name, unsigned permissions, int& slot) {
 }
 
 void forgetTemporary(int slot) { slots[slot].taken = false; }
+
+void setLineOpen(bool isOpen) { isLineOpen = isOpen; }
 
 void waitIfEnding() {
   while (ending) pause();

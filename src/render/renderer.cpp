@@ -42,14 +42,20 @@ class TileRenderer {
 
   int tileCount() const { return columns() * rows(); }
 
-  void renderTile(int tile) const {
+  PixelRectangle areaOf(int tile) const {
     const int left = tile % columns() * kTileSize, bottom = tile / columns() * kTileSize;
+    return {left, bottom, std::min(left + kTileSize, width_),
+            std::min(bottom + kTileSize, height_)};
+  }
+
+  void renderTile(int tile) const {
+    const PixelRectangle area = areaOf(tile);
     Pixel pixels[kTilePixels];
     RayTracer::TracedRay rays[kTilePixels];
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
-      const Pixel pixel = {left + evenBits(place), bottom + evenBits(place >> 1)};
-      if (pixel.i >= width_ || pixel.j >= height_) continue;
+      const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
+      if (!area.contains(pixel)) continue;
       pixels[count] = pixel;
       rays[count++] = {
           camera_.generateRay(imagePoint(pixel.i + 0.5, pixel.j + 0.5, width_, height_)),
@@ -121,17 +127,38 @@ struct Watch {
   }
 };
 
+/// Rays for each pixel, as far as they can be foretold.
+double raysOf(const RenderTargets& targets, const RenderOptions& options) {
+  const bool isSampled = targets.samples || (targets.color && !options.sampling.isPlain());
+  return isSampled ? options.sampling.samples : 1;
+}
+
+/// Those of the whole picture: a second pass for depth and normals has one for each pixel.
+double allRaysOf(const RenderTargets& targets, const RenderOptions& options) {
+  RenderTargets central = targets;
+  central.color = central.samples = nullptr;
+  const double first = raysOf(targets, options);
+  const bool isSecond = anyOf(central) && (targets.samples || !options.sampling.isPlain()) &&
+                        (targets.samples || targets.color);
+  return double(sizeOf(targets).x()) * sizeOf(targets).y() * (first + isSecond);
+}
+
 /// Renders all tiles on so many threads, each with a renderer that makeRenderer(tracer) gives.
 template <class MakeRenderer>
-void renderTiles(const Watch& watch, const RenderOptions& options, int threads,
-                 const MakeRenderer& makeRenderer) {
+void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderOptions& options,
+                 int threads, const MakeRenderer& makeRenderer) {
   const int tiles = makeRenderer(watch.tracer).tileCount();
   std::atomic<int> next{0};
   const std::size_t stack = kBaseStack + std::size_t(options.maxBounces) * kStackPerBounce;
   runOnThreads(std::min(threads, tiles), stack, [&](int thread) {
     const RayTracer tracer = watch.tracerOf(thread);
     const auto renderer = makeRenderer(tracer);
-    for (int tile; (tile = next++) < tiles;) renderer.renderTile(tile);
+    for (int tile; (tile = next++) < tiles;) {
+      renderer.renderTile(tile);
+      if (!targets.listener) continue;
+      const PixelRectangle area = renderer.areaOf(tile);
+      targets.listener->tileIsDone(area, raysOf(targets, options) * double(area.pixelCount()));
+    }
   });
 }
 
@@ -142,17 +169,18 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   const RayTracer tracer(scene, geometry, options);
   const Watch watch = {tracer, views};
   RenderTargets central = targets;
+  if (targets.listener) targets.listener->begins(allRaysOf(targets, options));
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
     // Rays around a tile are traced again: to count the same, tiles must have the same size.
     const int tileThreads = views.empty() ? threads : kWatchedThreads;
-    renderTiles(watch, options, threads, [&](const RayTracer& own) {
+    renderTiles(watch, targets, options, threads, [&](const RayTracer& own) {
       return SampledRenderer({*scene.getCamera(), own, size.x(), size.y()}, options.sampling,
                              targets, tileThreads);
     });
     central.color = central.samples = nullptr;
     if (!anyOf(central)) return;
   }
-  renderTiles(watch, options, threads,
+  renderTiles(watch, central, options, threads,
               [&](const RayTracer& own) { return TileRenderer(scene, own, central); });
 }

@@ -20,8 +20,9 @@ class SampledRenderer {
   int tileCount() const;
   void renderTile(int tile) const;
 
- private:
   PixelRectangle areaOf(int tile) const;
+
+ private:
   void store(const Film& film, const PixelRectangle& area) const;
 
   const SampledScene scene_;

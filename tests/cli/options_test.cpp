@@ -331,7 +331,7 @@ TEST("a scene and something to do with it are needed") {
   };
   CHECK(contains(message("-output out.tga"), "-input"));
   CHECK(contains(message("-input scene.txt"),
-                 "-output, -depth, -normals, -render_samples, -render_filter, -stats and -check"));
+                 "-output, -depth, -normals, -render_samples, -render_filter, -preview, -stats and -check"));
   for (const char* enough : {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a",
                              "-normal a", "-render_samples a 2", "-render_filter a 2"})
     CHECK_EQUAL(message((std::string("-input scene.txt ") + enough).c_str()), "");
