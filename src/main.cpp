@@ -4,6 +4,7 @@
 #include "cli/program.h"
 #include "image/output_file.h"
 #include "scene/input_error.h"
+#include "system/standard_files.h"
 
 namespace {
 
@@ -28,6 +29,7 @@ int runCommandLine(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepStandardFiles();
   removeTemporaryOnSignals();
   return runCommandLine(argc, argv);
 }

@@ -6,12 +6,6 @@
 
 #include "cli/options.h"
 
-/// One argument as it was given: its name without dashes and the words that follow it.
-struct GivenOption {
-  std::string name;
-  std::vector<std::string> words;
-};
-
 struct OptionRow {
   const char* group;         ///< heading under which it is listed
   const char* name;          ///< without dashes

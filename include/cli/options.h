@@ -21,6 +21,12 @@ inline constexpr int kMaxImageSide = 65535;
 inline constexpr int kMaxThreads = 1024;
 inline constexpr int kMaxMemoryLimit = 100000000;  // MB
 
+/// One argument as it was given: its name without dashes and the words that follow it.
+struct GivenOption {
+  std::string name;
+  std::vector<std::string> words;
+};
+
 struct Options {
   enum class Accel {
     fast,  ///< whatever is quickest
@@ -40,8 +46,9 @@ struct Options {
     counts  ///< in colours that tell how many objects they hold
   };
 
-  std::string input;        ///< scene file; "-" is standard input
-  std::string output;       ///< image file; empty = not wanted, as for the other files
+  std::string input;  ///< scene file; "-" is standard input
+  /// Image file; "-" is standard output; empty = not wanted, as for the other files.
+  std::string output;
   int width = 100;          ///< pixels, 1..kMaxImageSide
   int height = 100;         ///< pixels, 1..kMaxImageSide
   std::string depthOutput;  ///< depth image file
@@ -62,6 +69,10 @@ struct Options {
   GridSize gridSize{1, 1, 1};                   ///< with Accel::grid; at most kMaxGridCells cells
   GridPicture gridPicture = GridPicture::none;  ///< anything else only with Accel::grid
   SimdLevel simd = SimdLevel::automatic;        ///< the best that is wanted
+
+  std::string checkpoint;  ///< where finished parts are kept; empty = nowhere
+  /// All arguments, each name once: the last of equal ones, in the order in which these came.
+  std::vector<GivenOption> given;
 
   bool quiet = false;  ///< no warnings
   Progress progress = Progress::automatic;

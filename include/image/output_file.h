@@ -1,16 +1,20 @@
 // OutputFile: a file that is either the old one or the whole new one.
 // Bytes go to NAME.tmp.PID beside the place, which commit() renames to NAME. What is not a plain
-// file (a device, a FIFO, /dev/stdout, /dev/fd/N, /proc/...) is written in place.
+// file (a device, a FIFO, /dev/stdout, /dev/fd/N, /proc/...) is written in place. The name "-" is
+// standard output, "./-" a file.
 #pragma once
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 
+/// How messages call an output: its path, or "standard output" for "-".
+std::string outputTitle(const std::string& path);
+
 /// An output that cannot be written. what() is "PATH: cannot be written: reason".
 class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& path, const std::string& reason)
-      : std::runtime_error(path + ": cannot be written: " + reason) {}
+      : std::runtime_error(outputTitle(path) + ": cannot be written: " + reason) {}
 };
 
 class OutputFile {
@@ -29,18 +33,21 @@ class OutputFile {
 
   /// Appends `size` bytes. Throws OutputError; the object can then only be destroyed.
   void write(const void* data, std::size_t size);
-  /// Flushes to the disk, closes, and puts the file in its place. Nothing can be written after.
-  /// Throws OutputError; the old file is then still in its place.
+  /// Flushes to the disk, checks that the file has as many bytes as were written, closes it, and
+  /// puts it in its place. Nothing can be written after. Throws OutputError; the old file is then
+  /// still in its place, unless the folder alone could not be flushed to the disk.
   void commit();
 
  private:
   void removeTemporary();
+  void checkSize() const;
   [[noreturn]] void fail(int error) const;
 
   std::string path_;       // as the user gave it, for messages
   std::string target_;     // the file to replace, links followed
   std::string temporary_;  // the name being written
   int descriptor_ = -1;    // closed: -1
+  std::size_t size_ = 0;   // bytes written
   int slot_ = -1;          // where the signal handler finds temporary_; -1: there is none
 };
 

@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
+#include "render/tile_keeper.h"
 #include "render/tile_listener.h"
 #include "scene/scene_parser.h"
 
@@ -27,6 +28,7 @@ struct RenderTargets {
   /// The t that is white and the t that is black in the depth image; they differ.
   double depthMin = 0, depthMax = 1;
   TileListener* listener = nullptr;  ///< null: nobody wants to know of tiles
+  TileKeeper* keeper = nullptr;      ///< null: nobody keeps tiles
 };
 
 /// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`

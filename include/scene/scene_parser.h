@@ -12,11 +12,15 @@
 #include "shading/light.h"
 #include "shading/material.h"
 
+class SourceText;
+
 class SceneParser {
  public:
   /// Reads `filename` ("-" is standard input) and the meshes it names. Throws InputError at the
   /// first mistake.
   explicit SceneParser(const char* filename);
+  /// The same of a scene file that has been read already.
+  explicit SceneParser(const SourceText& text);
   ~SceneParser();
   SceneParser(const SceneParser&) = delete;
   SceneParser& operator=(const SceneParser&) = delete;
@@ -40,7 +44,8 @@ class SceneParser {
   /// All objects of the scene: one Group that holds the file's top-level Groups in order.
   const Group* getGroup() const { return &group_; }
 
-  /// The mesh files that were read, as absolute paths without links, in alphabetical order.
+  /// The files of the meshes, as absolute paths without links: one for each name that the scene
+  /// calls a mesh by, in the alphabetical order of these names. Two names may have one file.
   const std::vector<std::string>& getMeshFiles() const { return meshFiles_; }
 
   /// What is legal but probably a mistake: "FILE:LINE: text" each, in file order.

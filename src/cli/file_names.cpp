@@ -12,6 +12,9 @@ struct Named {
   const std::string& file;  // empty where the argument was not given
 };
 
+/// A name for what an output goes to.
+std::string outputPath(const std::string& file) { return file == "-" ? "/dev/stdout" : file; }
+
 /// Where a file of this name is or would be created, links followed.
 fs::path placeOf(const std::string& name) {
   constexpr int kMostLinks = 40;  // as Linux allows
@@ -38,16 +41,19 @@ void checkFiles(const Options& options, const std::vector<std::string>& meshFile
                            {"-depth", options.depthOutput},
                            {"-normals", options.normalsOutput},
                            {"-render_samples", options.samplesOutput},
-                           {"-render_filter", options.filterOutput}};
+                           {"-render_filter", options.filterOutput},
+                           {"-checkpoint", options.checkpoint}};
   const auto isSame = [](const std::string& a, const std::string& b) {
-    return !a.empty() && !b.empty() && a != "-" && sameFile(a, b);
+    if (a.empty() || b.empty()) return false;
+    return (a == "-" && b == "-") || sameFile(outputPath(a), outputPath(b));
   };
+  const bool inputHasName = input.file != "-";
   const auto refuse = [](const Named& a, const Named& b) {
     throw UsageError(std::string(a.argument) + " and " + b.argument +
                      ": expected different files, found '" + a.file + "' and '" + b.file + "'");
   };
   for (const Named& output : outputs) {
-    if (isSame(input.file, output.file)) refuse(input, output);
+    if (inputHasName && isSame(input.file, output.file)) refuse(input, output);
     for (const Named* other = outputs; other != &output; ++other) {
       if (isSame(other->file, output.file)) refuse(*other, output);
     }

@@ -68,13 +68,19 @@ std::vector<OptionRow> pictureRows() {
   return {
       {group, "output", nullptr, "FILE", nullptr,
        "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
-       "missing or unknown; so it does for the other images",
+       "missing or unknown; so it does for the other images; - is standard output, for one image "
+       "of "
+       "a run",
        [](Given given, Options& o) { o.output = outputName(given); }},
       {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
        [](Given given, Options& o) {
          o.width = wholeNumber(given, 0, "W", 1, kMaxImageSide);
          o.height = wholeNumber(given, 1, "H", 1, kMaxImageSide);
        }},
+      {group, "checkpoint", nullptr, "FILE", nullptr,
+       "keep finished parts of the picture in FILE, from which the same command takes up after the "
+       "program was ended; FILE is removed when the picture is done",
+       [](Given given, Options& o) { o.checkpoint = plainFileName(given); }},
       {group, "depth", nullptr, "MIN MAX FILE", nullptr,
        "write the depth image, white at distance MIN and black at MAX; FILE MIN MAX, where FILE "
        "does not look like a number, means the same",

@@ -15,11 +15,6 @@ std::string fileName(const GivenOption& given, const std::string& word) {
   return word;
 }
 
-std::string writableName(const GivenOption& given, const std::string& word) {
-  if (word == "-") fail(given, "the name of a file to write", word);
-  return fileName(given, word);
-}
-
 /// What is wrong with a word that should have been a number of at least 0.
 std::string atLeastZero(const std::string& word) {
   const bool isTooLarge = isNumber(word) && word[0] != '-';
@@ -80,7 +75,12 @@ float positiveFloat(const GivenOption& given) {
 }
 
 std::string inputName(const GivenOption& given) { return fileName(given, given.words[0]); }
-std::string outputName(const GivenOption& given) { return writableName(given, given.words[0]); }
+std::string outputName(const GivenOption& given) { return fileName(given, given.words[0]); }
+
+std::string plainFileName(const GivenOption& given) {
+  if (given.words[0] == "-") fail(given, "the name of a file", given.words[0]);
+  return fileName(given, given.words[0]);
+}
 
 void readDepth(const GivenOption& given, Options& options) {
   const bool fileIsLast = isNumber(given.words[0]);
@@ -88,7 +88,7 @@ void readDepth(const GivenOption& given, Options& options) {
   const double depthMin = depthNumber(given, "MIN", given.words[first]);
   const double depthMax = depthNumber(given, "MAX", given.words[first + 1]);
   if (depthMin == depthMax) fail(given, "MIN and MAX to differ", given.words[first]);
-  options.depthOutput = writableName(given, given.words[fileIsLast ? 2 : 0]);
+  options.depthOutput = fileName(given, given.words[fileIsLast ? 2 : 0]);
   options.depthMin = depthMin;
   options.depthMax = depthMax;
 }

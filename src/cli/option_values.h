@@ -23,9 +23,11 @@ float positiveFloat(const GivenOption& given);
 double numberInRange(const GivenOption& given, std::size_t index, double least, double most,
                      const std::string& expected);
 
-/// A file name in the first word: anything but "" and, where it is an output, "-".
+/// A file name in the first word: anything but "". "-" is standard input or output; for what must
+/// be a plain file it is a mistake.
 std::string inputName(const GivenOption& given);
 std::string outputName(const GivenOption& given);
+std::string plainFileName(const GivenOption& given);
 
 /// MIN MAX FILE, or FILE MIN MAX where the first word is no number; MIN and MAX must differ.
 void readDepth(const GivenOption& given, Options& options);

@@ -1,6 +1,7 @@
 // Reading the command line.
 #include "cli/options.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "cli/option_table.h"
@@ -44,6 +45,24 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
   return found;
 }
 
+/// The last of equal arguments wins.
+void note(const GivenOption& option, std::vector<GivenOption>& given) {
+  const auto isSame = [&](const GivenOption& other) { return other.name == option.name; };
+  given.erase(std::remove_if(given.begin(), given.end(), isSame), given.end());
+  given.push_back(option);
+}
+
+void checkStandardOutput(const Options& options) {
+  if (options.check || !(options.stats || options.preview)) return;
+  for (const std::string& file : {options.output, options.depthOutput, options.normalsOutput,
+                                  options.samplesOutput, options.filterOutput}) {
+    if (file != "-") continue;
+    throw UsageError(options.stats
+                         ? "-stats: expected standard output for its lines, found an image there"
+                         : "-preview: expected standard output for itself, found an image there");
+  }
+}
+
 void checkGridPicture(const Options& options) {
   if (options.gridPicture == Options::GridPicture::none) return;
   if (options.accel == Options::Accel::grid) return;
@@ -73,6 +92,7 @@ void checkComplete(const Options& options) {
                          !options.normalsOutput.empty() || !options.samplesOutput.empty() ||
                          !options.filterOutput.empty() || options.stats || options.check ||
                          options.preview;
+  checkStandardOutput(options);
   if (!anyOutput)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
@@ -90,7 +110,9 @@ Options parseOptions(const std::vector<std::string>& words) {
     const OptionRow* row = findOption(nameOf(words[at]));
     if (!row) failUnknown(words[at]);
     const std::vector<std::string> following = followingWords(words, at, *row);
-    row->apply({row->name, following}, options);
+    const GivenOption option = {row->name, following};
+    row->apply(option, options);
+    note(option, options.given);
     given.push_back(row);
     at += 1 + following.size();
   }

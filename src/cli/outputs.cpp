@@ -19,7 +19,7 @@ bool succeeds(const Output& output, const Work& work) {
     work();
     return true;
   } catch (const std::bad_alloc&) {
-    complain(output.file + ": not enough memory to write it");
+    complain(outputTitle(output.file) + ": not enough memory to write it");
   } catch (const std::exception& error) {
     complain(error.what());
   }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "accel/compiled_scene.h"
+#include "cli/checkpoint.h"
 #include "cli/compare_run.h"
 #include "cli/option_table.h"
 #include "cli/outputs.h"
@@ -19,6 +19,7 @@
 #include "render/renderer.h"
 #include "scene/mistake_log.h"
 #include "scene/scene_parser.h"
+#include "scene/source_text.h"
 #include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
@@ -166,9 +167,14 @@ void printWarnings(const SceneParser& scene, const Options& options) {
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
-SceneParser readScene(const Options& options) {
-  return withMemory("to read " + displayName(options.input),
-                    [&] { return SceneParser(options.input.c_str()); });
+/// Reads the scene; gives the digest of its bytes where a checkpoint needs it.
+SceneParser readScene(const Options& options, Digest& digest) {
+  return withMemory("to read " + displayName(options.input), [&] {
+    const SourceText text = SourceText::read(options.input);
+    const std::string_view bytes = text.bytes();
+    if (!options.checkpoint.empty()) digest = sha256(bytes.data(), bytes.size());
+    return SceneParser(text);
+  });
 }
 
 void prepareScene(SceneParser& scene, const Options& options) {
@@ -179,9 +185,11 @@ void prepareScene(SceneParser& scene, const Options& options) {
 }
 
 /// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-/// Returns kOutputFailed where standard output fails.
-int renderOutputs(const SceneParser& scene, const Options& options, std::vector<Output>& outputs,
-                  Stats& stats) {
+/// Where a checkpoint is wanted, `scene` is what `sceneDigest` is of, and the checkpoint is
+/// returned.
+std::unique_ptr<Checkpoint> renderOutputs(const SceneParser& scene, const Digest& sceneDigest,
+                                          const Options& options, std::vector<Output>& outputs,
+                                          Stats& stats) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   Image unwritten;
@@ -189,18 +197,26 @@ int renderOutputs(const SceneParser& scene, const Options& options, std::vector<
     makeImages(outputs, options);
     return targetsOf(options, outputs, unwritten);
   });
-  if (!wantsRays(targets)) return kDone;
-  RunDisplay display(options, targets);
-  if (display.isWanted()) targets.listener = &display;
-  withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
-  display.finish();
-  return print(display.lastPicture());
+  std::unique_ptr<Checkpoint> checkpoint;
+  if (wantsRays(targets)) {
+    checkpoint =
+        openCheckpoint(options, sceneDigest, scene.getMeshFiles(), threadCount(options), targets);
+    targets.keeper = checkpoint.get();
+    RunDisplay display(options, targets);
+    if (display.isWanted()) targets.listener = &display;
+    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats); });
+    display.finish();
+    stats.shown = print(display.lastPicture());
+  }
+  if (checkpoint) checkpoint->stop();
+  return checkpoint;
 }
 
 int renderScene(const Options& options) {
   Stats stats;
   Stopwatch watch;
-  SceneParser scene = readScene(options);
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   checkFiles(options, scene.getMeshFiles());
   prepareScene(scene, options);
   stats.readSeconds = watch.restart();
@@ -209,12 +225,13 @@ int renderScene(const Options& options) {
   const std::size_t wanted = outputs.size();
   dropUnwritable(outputs);
   if (outputs.empty() && wanted > 0) return kOutputFailed;
-  const int shown = renderOutputs(scene, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
   watch.restart();
   const std::size_t written = writeAll(outputs);
+  if (checkpoint && written == wanted) checkpoint->remove();
   stats.writeSeconds = watch.restart();
   const int printed = options.stats ? print(stats.text()) : kDone;
-  return written == wanted ? std::max(printed, shown) : kOutputFailed;
+  return written == wanted ? std::max(printed, stats.shown) : kOutputFailed;
 }
 
 int runHere(const Options& options) {
@@ -254,10 +271,12 @@ int runWithin(int megabytes, const Options& options) {
 
 std::vector<Output> renderPictures(const Options& options) {
   Stats stats;
-  SceneParser scene = readScene(options);
+  Digest sceneDigest = {};
+  SceneParser scene = readScene(options, sceneDigest);
   prepareScene(scene, options);
   std::vector<Output> outputs = wantedOutputs(options);
-  renderOutputs(scene, options, outputs, stats);
+  const auto checkpoint = renderOutputs(scene, sceneDigest, options, outputs, stats);
+  if (checkpoint) checkpoint->remove();
   return outputs;
 }
 

@@ -28,6 +28,8 @@ struct Stats {
   int threads = 0;
   double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;
 
+  int shown = 0;  ///< exit status of showing the picture on standard output
+
   RayCounts rays;
   double pixels = 0;
   RayTestCounts tests;

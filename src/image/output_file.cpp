@@ -67,6 +67,11 @@ std::string linkText(const std::string& path) {
 Place findPlace(const std::string& given) {
   Place place;
   place.path = given;
+  if (given == "-") {
+    place.kind = Place::Kind::descriptor;
+    place.descriptor = STDOUT_FILENO;
+    return place;
+  }
   for (int links = 0; links <= kMostLinks; ++links) {
     const std::string folder = canonical(folderOf(place.path));
     if (namesOwnDescriptor(place.path, folder, place)) return place;
@@ -136,6 +141,19 @@ bool flush(int descriptor) {
   return true;
 }
 
+/// Flushes the folder of a file, so that a rename in it outlives a power failure. A folder that may
+/// be written but not read cannot be opened for that; the system flushes it in its own time.
+bool flushFolderOf(const std::string& path) {
+  const std::string folder = folderOf(path);
+  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno == EACCES;
+  const bool flushed = flush(descriptor);
+  const int error = errno;
+  close(descriptor);
+  errno = error;
+  return flushed;
+}
+
 /// True when the caller should try again what gave errno.
 bool waitAndRetry(int descriptor) {
   if (errno == EINTR) return true;
@@ -145,6 +163,8 @@ bool waitAndRetry(int descriptor) {
 }
 
 }  // namespace
+
+std::string outputTitle(const std::string& path) { return path == "-" ? "standard output" : path; }
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   const Place place = findPlace(path);
@@ -196,11 +216,19 @@ void OutputFile::write(const void* data, std::size_t size) {
     }
     next += written;
     size -= static_cast<std::size_t>(written);
+    size_ += static_cast<std::size_t>(written);
   }
+}
+
+void OutputFile::checkSize() const {
+  struct stat status = {};
+  if (fstat(descriptor_, &status) != 0) fail(errno);
+  if (static_cast<std::size_t>(status.st_size) != size_) fail(EIO);
 }
 
 void OutputFile::commit() {
   if (!flush(descriptor_)) fail(errno);
+  if (slot_ >= 0) checkSize();
   const int closing = descriptor_;
   descriptor_ = -1;
   // After EINTR the descriptor is closed all the same on Linux, and the bytes are flushed.
@@ -209,6 +237,7 @@ void OutputFile::commit() {
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   forgetTemporary(slot_);
   slot_ = -1;
+  if (!flushFolderOf(target_)) fail(errno);
 }
 
 void OutputFile::fail(int error) const {

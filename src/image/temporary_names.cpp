@@ -11,6 +11,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 
 #include "image/output_file.h"
 
@@ -54,15 +55,34 @@ class NoSignalsHere {
   sigset_t before_;
 };
 
-extern "C" void removeAndEnd(int signal) {
-  ending = true;
-  while (changing) {
+std::atomic<int> passedTo{-1};   // who wants to hear of signals
+std::atomic<int> passing{0};     // handlers that are just writing there
+std::atomic<long> firstPass{0};  // when the first signal was passed, in ms; 0: none was
+constexpr long kPatience = 100;  // ms
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<long>::is_always_lock_free,
+              "used in a signal handler");
+
+/// True where someone else will end the program.
+bool pass(int signal) {
+  ++passing;
+  const int descriptor = passedTo;
+  bool passed = false;
+  struct timespec now = {};
+  if (descriptor >= 0 && clock_gettime(CLOCK_MONOTONIC, &now) == 0) {
+    const long time = now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
+    long first = 0;
+    if (firstPass.compare_exchange_strong(first, time)) first = time;
+    const auto byte = static_cast<unsigned char>(signal);
+    passed = time - first <= kPatience && write(descriptor, &byte, 1) == 1;
   }
-  for (const Slot& slot : slots) {
-    if (slot.taken) unlink(slot.name);
-  }
-  if (isLineOpen && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
-  _exit(128 + signal);
+  --passing;
+  return passed;
+}
+
+extern "C" void passOrEnd(int signal) {
+  const int error = errno;  // of what the signal interrupted
+  if (!pass(signal)) endOnSignal(signal);
+  errno = error;
 }
 
 /// For crashes: SA_RESETHAND has put the default action back, which the second signal meets.
@@ -104,6 +124,23 @@ int createTemporary(const std::string& name, unsigned permissions, int& slot) {
 
 void forgetTemporary(int slot) { slots[slot].taken = false; }
 
+void passSignalsTo(int descriptor) {
+  passedTo = descriptor;
+  while (passing > 0) {
+  }
+}
+
+void endOnSignal(int signal) {
+  ending = true;
+  while (changing) {
+  }
+  for (const Slot& slot : slots) {
+    if (slot.taken) unlink(slot.name);
+  }
+  if (isLineOpen && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
+  _exit(128 + signal);
+}
+
 void setLineOpen(bool isOpen) { isLineOpen = isOpen; }
 
 void waitIfEnding() {
@@ -113,7 +150,7 @@ void waitIfEnding() {
 void removeTemporaryOnSignals() {
   for (const int signal :
        {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU}) {
-    install(signal, removeAndEnd, 0);
+    install(signal, passOrEnd, SA_RESTART);
   }
   for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGTRAP, SIGSYS}) {
     install(signal, removeAndCrash, static_cast<int>(SA_RESETHAND));

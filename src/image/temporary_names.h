@@ -1,4 +1,4 @@
-// TemporaryNames: the names that a signal handler has to remove.
+// TemporaryNames: the names that a signal handler has to remove, and who else hears of a signal.
 #pragma once
 #include <string>
 
@@ -13,3 +13,14 @@ void forgetTemporary(int slot);
 /// Does not return once a signal handler, in another thread, has begun to end the program: what
 /// fails from then on (a rename of a file that the handler has removed) is no error to report.
 void waitIfEnding();
+
+/// From now on a signal that asks the program to end (see removeTemporaryOnSignals) writes its
+/// number, one byte, to `descriptor`, and the program goes on: whoever reads there has a tenth of a
+/// second to call endOnSignal; a signal after that ends the program without further ado. With -1
+/// signals end the program at once again, and on return nobody writes to the old descriptor any
+/// more. `descriptor` must be non-blocking.
+void passSignalsTo(int descriptor);
+
+/// What a signal does that is not passed: removes the temporary files and ends the program with
+/// status 128 + `signal`.
+[[noreturn]] void endOnSignal(int signal);

@@ -143,7 +143,8 @@ double allRaysOf(const RenderTargets& targets, const RenderOptions& options) {
   return double(sizeOf(targets).x()) * sizeOf(targets).y() * (first + isSecond);
 }
 
-/// Renders all tiles on so many threads, each with a renderer that makeRenderer(tracer) gives.
+/// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a
+/// renderer that makeRenderer(tracer) gives.
 template <class MakeRenderer>
 void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderOptions& options,
                  int threads, const MakeRenderer& makeRenderer) {
@@ -154,9 +155,12 @@ void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderO
     const RayTracer tracer = watch.tracerOf(thread);
     const auto renderer = makeRenderer(tracer);
     for (int tile; (tile = next++) < tiles;) {
-      renderer.renderTile(tile);
-      if (!targets.listener) continue;
       const PixelRectangle area = renderer.areaOf(tile);
+      if (!targets.keeper || !targets.keeper->isFinished(targets, area)) {
+        renderer.renderTile(tile);
+        if (targets.keeper) targets.keeper->finish(targets, area);
+      }
+      if (!targets.listener) continue;
       targets.listener->tileIsDone(area, raysOf(targets, options) * double(area.pixelCount()));
     }
   });
@@ -172,13 +176,17 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   if (targets.listener) targets.listener->begins(allRaysOf(targets, options));
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const Vec2<int> size = sizeOf(targets);
+    RenderTargets ofSamples = targets;
+    ofSamples.depth = ofSamples.normals = nullptr;
+    ofSamples.exactDepth = ofSamples.exactNormals = nullptr;
     // Rays around a tile are traced again: to count the same, tiles must have the same size.
     const int tileThreads = views.empty() ? threads : kWatchedThreads;
-    renderTiles(watch, targets, options, threads, [&](const RayTracer& own) {
+    renderTiles(watch, ofSamples, options, threads, [&](const RayTracer& own) {
       return SampledRenderer({*scene.getCamera(), own, size.x(), size.y()}, options.sampling,
-                             targets, tileThreads);
+                             ofSamples, tileThreads);
     });
     central.color = central.samples = nullptr;
+    central.exactColor = nullptr;
     if (!anyOf(central)) return;
   }
   renderTiles(watch, central, options, threads,

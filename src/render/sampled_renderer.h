@@ -18,9 +18,8 @@ class SampledRenderer {
                   const RenderTargets& targets, int threads);
 
   int tileCount() const;
-  void renderTile(int tile) const;
-
   PixelRectangle areaOf(int tile) const;
+  void renderTile(int tile) const;
 
  private:
   void store(const Film& film, const PixelRectangle& area) const;

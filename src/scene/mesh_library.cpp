@@ -32,9 +32,13 @@ const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
 }
 
 std::vector<std::string> MeshLibrary::files() const {
-  std::vector<std::string> paths;
-  for (const auto& entry : byPath_) paths.push_back(entry.first);
-  return paths;
+  std::map<const MeshGeometry*, std::string> paths;
+  for (const auto& [path, mesh] : byPath_) paths[mesh] = path;
+  std::vector<std::string> files;
+  for (const auto& [name, mesh] : byName_) {
+    if (mesh) files.push_back(paths[mesh]);
+  }
+  return files;
 }
 
 const MeshGeometry* MeshLibrary::load(std::string_view name, bool& isNew) {

@@ -23,7 +23,8 @@ class MeshLibrary {
   /// was read just now. Not owned by the caller.
   const MeshGeometry* find(std::string_view name, bool& isNew);
 
-  /// The files that find() has read, as absolute paths without links, in alphabetical order.
+  /// The file of each name that find() has found, as an absolute path without links, in the
+  /// alphabetical order of the names.
   std::vector<std::string> files() const;
 
  private:

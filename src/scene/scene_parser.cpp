@@ -8,8 +8,9 @@
 #include "scene/scene_builder.h"
 #include "scene/source_text.h"
 
-SceneParser::SceneParser(const char* filename) {
-  const SourceText text = SourceText::read(filename);
+SceneParser::SceneParser(const char* filename) : SceneParser(SourceText::read(filename)) {}
+
+SceneParser::SceneParser(const SourceText& text) {
   MistakeLog log(MistakeLog::Mode::throwFirst);
   SceneBuilder(text, log, *this).build();
 }

@@ -342,12 +342,15 @@ TEST("a scene and something to do with it are needed") {
   CHECK(parseOptions({}).shortHelp);
 }
 
-TEST("file names must not be empty and an output is no dash") {
+TEST("file names must not be empty, and a dash is standard input or output") {
   CHECK(contains(mistake({"-input", ""}), "a file name"));
   CHECK(contains(mistake({"-output", ""}), "a file name"));
-  CHECK(contains(mistake({"-output", "-"}), "found '-'"));
-  CHECK(contains(mistake({"-normals", "-"}), "found '-'"));
-  CHECK(contains(mistake({"-depth", "-", "1", "2"}), "found '-'"));
+  CHECK(contains(mistake({"-depth", "", "1", "2"}), "a file name"));
+  CHECK(contains(mistake({"-checkpoint", ""}), "a file name"));
+  CHECK(contains(mistake({"-checkpoint", "-"}), "found '-'"));
+  CHECK_EQUAL(parse({"-output", "-"}).output, "-");
+  CHECK_EQUAL(parse({"-normals", "-"}).normalsOutput, "-");
+  CHECK_EQUAL(parse({"-depth", "-", "1", "2"}).depthOutput, "-");
   CHECK_EQUAL(parse({"-input", "-"}).input, "-");
   CHECK_EQUAL(parse({"-output", "-strange"}).output, "-strange");
 }
@@ -379,4 +382,8 @@ TEST("two arguments must not name the same file") {
   CHECK(clash(scene, {"-output", dir + "new", "-normals", dir + "to_new"}));
   CHECK(clash("-", {"-depth", "a", "1", "2", "-normals", "./a"}));
   CHECK(!clash(scene, {"-output", "/dev/null", "-normals", "/dev/null"}));
+  CHECK(clash(scene, {"-output", "-", "-normals", "-"}));
+  CHECK(!clash("-", {"-output", "-"}));
+  CHECK(clash(scene, {"-output", dir + "a", "-checkpoint", dir + "a"}));
+  CHECK(clash(scene, {"-output", dir + "a", "-checkpoint", scene}));
 }

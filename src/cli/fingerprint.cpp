@@ -1,0 +1,121 @@
+// The fingerprint of a picture.
+#include "cli/fingerprint.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+
+#include "cli/option_table.h"
+#include "system/open_file.h"
+#include "system/worker_threads.h"
+
+namespace {
+
+constexpr std::size_t kPiece = std::size_t(1) << 20;
+constexpr std::size_t kStack = 1 << 18;
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw std::runtime_error(path + ": cannot be read for the fingerprint: " + reason);
+}
+
+/// The digest of `size` bytes from `offset` on.
+Digest pieceDigest(const OpenFile& file, const std::string& path, std::size_t offset,
+                   std::size_t size) {
+  std::vector<char> bytes(size);
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = pread(file.descriptor(), &bytes[done], size - done, off_t(offset + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, std::strerror(errno));
+    if (count == 0) fail(path, "it has become shorter");
+    done += std::size_t(count);
+  }
+  return sha256(bytes.data(), size);
+}
+
+void addText(std::string_view text, Sha256& hash) {
+  hash.addNumber(text.size());
+  hash.add(text);
+}
+
+/// The exact bits of a number.
+void addReal(double number, Sha256& hash) {
+  std::uint64_t bits = 0;
+  static_assert(sizeof bits == sizeof number);
+  std::memcpy(&bits, &number, sizeof bits);
+  hash.addNumber(bits);
+}
+
+/// What of the arguments that name files changes pixels.
+void addPictures(const Options& options, Sha256& hash) {
+  hash.addNumber(!options.output.empty());
+  hash.addNumber(!options.depthOutput.empty());
+  addReal(options.depthMin, hash);
+  addReal(options.depthMax, hash);
+  hash.addNumber(!options.normalsOutput.empty());
+  hash.addNumber(!options.samplesOutput.empty());
+  hash.addNumber(std::uint64_t(options.samplesZoom));
+}
+
+void addArguments(const Options& options, Sha256& hash) {
+  for (const GivenOption& given : options.given) {
+    if (!changesPicture(given.name)) continue;
+    addText(given.name, hash);
+    hash.addNumber(given.words.size());
+    for (const std::string& word : given.words) addText(word, hash);
+  }
+}
+
+}  // namespace
+
+bool changesPicture(const std::string& name) {
+  static constexpr const char* kUnseen[] = {"input",          "output",        "depth", "normals",
+                                            "render_samples", "render_filter",  // see addPictures
+                                            "accel",          "threads",       "simd",  "stats",
+                                            "quiet",          "check",         "help",  "version",
+                                            "checkpoint",     "memory_limit"};
+  return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
+}
+
+Digest fileDigest(const std::string& path, int threads) {
+  const OpenFile file(path);
+  if (!file.isOpen()) fail(path, std::strerror(errno));
+  if (file.regularSize() < 0) fail(path, "expected a plain file, which can be read twice");
+  const auto size = std::size_t(file.regularSize());
+  const std::size_t count = (size + kPiece - 1) / kPiece;
+  std::vector<Digest> pieces(count);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](int) {
+    for (std::size_t i; (i = next++) < count;) {
+      pieces[i] = pieceDigest(file, path, i * kPiece, std::min(kPiece, size - i * kPiece));
+    }
+  };
+  runOnThreads(int(std::clamp(count, std::size_t(1), std::size_t(threads))), kStack, work);
+  Sha256 hash;
+  for (const Digest& piece : pieces) hash.add(piece);
+  hash.addNumber(size);
+  return hash.finish();
+}
+
+Digest pictureFingerprint(const Options& options, const Digest& scene,
+                          const std::vector<std::string>& meshFiles, int threads) {
+  Sha256 hash;
+  addText(versionText(), hash);
+  hash.add(scene);
+  hash.addNumber(meshFiles.size());
+  std::map<std::string, Digest> known;
+  for (const std::string& file : meshFiles) {
+    const auto found = known.find(file);
+    const Digest digest = found != known.end() ? found->second : fileDigest(file, threads);
+    known[file] = digest;
+    hash.add(digest);
+  }
+  addPictures(options, hash);
+  addArguments(options, hash);
+  return hash.finish();
+}
