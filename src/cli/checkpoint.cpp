@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "cli/fingerprint.h"
-#include "cli/program.h"
+#include "cli/messages.h"
 #include "render/tile_bytes.h"
 
 namespace {
