@@ -27,10 +27,10 @@ const Image* shownOf(const RenderTargets& targets) {
 
 RunDisplay::RunDisplay(const Options& options, const RenderTargets& targets)
     : showsProgress_(wantsProgress(options)),
-      isPictureLive_(options.preview && isatty(STDOUT_FILENO) == 1),
+      image_(options.preview ? shownOf(targets) : nullptr),
+      isPictureLive_(image_ && isatty(STDOUT_FILENO) == 1),
       line_(showsProgress_) {
-  if (!options.preview || !shownOf(targets)) return;
-  image_ = shownOf(targets);
+  if (!image_) return;
   zoom_ = image_ == targets.samples ? targets.samplesZoom : 1;
   picture_.emplace(image_->Width(), image_->Height(), terminalSize(STDOUT_FILENO));
 }

@@ -30,9 +30,10 @@ class RunDisplay : public TileListener {
   void addToPicture(const PixelRectangle& area);
   std::string pictureInPlace();
 
-  const bool showsProgress_, isPictureLive_;
-  const Image* image_ = nullptr;  // what is shown; null where nothing is
-  int zoom_ = 1;                  // image pixels for each of a tile's
+  const bool showsProgress_;
+  const Image* const image_;  // what is shown; null where nothing is
+  const bool isPictureLive_;  // it is shown as it grows
+  int zoom_ = 1;              // image pixels for each of a tile's
   std::optional<TerminalPicture> picture_;
   int linesDrawn_ = 0;
   ProgressLine line_;

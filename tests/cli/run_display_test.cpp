@@ -163,6 +163,15 @@ TEST("-preview on a terminal is as large as the window, drawn in place, and whol
   CHECK(seen.size() >= end.size() && seen.substr(seen.size() - end.size()) == end);
 }
 
+TEST("on a terminal a heat map follows the preview, and all else that is printed follows it") {
+  const Desk desk;
+  const std::string seen = onTerminal(
+      desk, "-input scene.txt -size 200 200 -threads 1 -preview -output a -heatmap h -pixel 9 9");
+  const std::size_t picture = seen.rfind(kHalf), line = seen.rfind("100 %");
+  CHECK(picture != std::string::npos && line != std::string::npos && picture < line);
+  CHECK(contains(seen.substr(line), "eye ray") && contains(seen.substr(line), "pixel 9 9 = "));
+}
+
 TEST("a cell of the preview is the mean of its pixels, the upper one in front") {
   // 4 x 4 pixels in 2 columns and 1 + 2 lines: 2 x 2 cells.
   Image image(4, 4);
