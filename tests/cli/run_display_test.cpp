@@ -130,23 +130,11 @@ TEST("a heat map has a line of progress of its own, and what renders nothing has
   const auto hundreds = [&](const std::string& wanted) {
     return countOf(desk.run("-input scene.txt -progress " + wanted).errors, "100 %");
   };
-  CHECK_EQUAL(hundreds("-heatmap h"), 1u);
+  CHECK_EQUAL(hundreds("-heatmap h -size 300 300 -jittered_samples 16"), 1u);
   CHECK_EQUAL(hundreds("-heatmap h -output a -materials m"), 2u);
   CHECK_EQUAL(hundreds("-materials m"), 1u);
   CHECK_EQUAL(hundreds("-pixel 1 1"), 0u);
   CHECK_EQUAL(hundreds("-render_filter f 1"), 0u);
-}
-
-TEST("a message while the line of progress is open begins on a line of its own") {
-  const Desk desk;
-  // The checkpoint cannot grow: its warning comes while the picture is traced.
-  const check::ProgramRun run = desk.run(
-      "-input scene.txt -size 1500 1500 -threads 1 -output /dev/null -progress -checkpoint c",
-      "ulimit -f 2; trap '' XFSZ;");
-  if (!contains(run.errors, "warning: ")) SKIP("no warning came");
-  CHECK_EQUAL(countOf(run.errors, "raytracer: warning: "),
-              countOf(run.errors, "\nraytracer: warning: ") +
-                  std::size_t(check::startsWith(run.errors, "raytracer: warning: ")));
 }
 
 TEST("-preview on a terminal is as large as the window, drawn in place, and whole at the end") {
