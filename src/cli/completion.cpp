@@ -68,8 +68,8 @@ std::string completionScript() {
     names += "  " + std::string(row.name) + (other.empty() ? "" : " " + other) + "\n";
     const std::string offered = offers(row);
     if (offered.empty()) continue;
-    cases += "    " + std::string(row.name) + (other.empty() ? "" : "|" + other) + ") offers=(" +
-             offered + ") ;;\n";
+    cases.append("    ").append(row.name).append(other.empty() ? "" : "|" + other);
+    cases.append(") offers=(").append(offered).append(") ;;\n");
   }
   return "# bash completion for raytracer, made from its table of arguments.\n\n"
          "_raytracer_names='\n" +

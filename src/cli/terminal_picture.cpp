@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "scene/number_reader.h"
@@ -35,8 +36,8 @@ TerminalPicture::TerminalPicture(int width, int height, const TerminalSize& term
   const int mostColumns = std::clamp(terminal.columns, 1, kMostColumns);
   const int mostRows = 2 * std::clamp(terminal.lines - kFreeLines, 1, kMostColumns);
   const double smaller = std::min({1.0, mostColumns / double(width), mostRows / double(height)});
-  columns_ = std::clamp(int(width * smaller + 0.5), 1, std::min(width, mostColumns));
-  rows_ = std::clamp(int(height * smaller + 0.5), 1, std::min(height, mostRows));
+  columns_ = std::clamp(int(std::lround(width * smaller)), 1, std::min(width, mostColumns));
+  rows_ = std::clamp(int(std::lround(height * smaller)), 1, std::min(height, mostRows));
   cells_.resize(std::size_t(columns_) * std::size_t(rows_));
 }
 
@@ -57,7 +58,7 @@ void TerminalPicture::add(const Image& image, int left, int bottom, int right, i
 
 std::string TerminalPicture::color(int kind, const Cell& cell) {
   const auto mean = [&](double sum) {
-    return std::to_string(cell.pixels > 0 ? int(sum / cell.pixels + 0.5) : 0);
+    return std::to_string(cell.pixels > 0 ? std::lround(sum / cell.pixels) : 0);
   };
   return "\033[" + std::to_string(kind) + ";2;" + mean(cell.red) + ";" + mean(cell.green) + ";" +
          mean(cell.blue) + "m";

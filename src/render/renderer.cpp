@@ -29,6 +29,7 @@ const Image* anyOf(const RenderTargets& targets) {
 Vec2<int> sizeOf(const RenderTargets& targets) {
   if (const Image* image = anyOf(targets)) return {image->Width(), image->Height()};
   const int zoom = targets.samplesZoom;
+  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): one target is given at least
   return {targets.samples->Width() / zoom, targets.samples->Height() / zoom};
 }
 
@@ -154,12 +155,13 @@ double raysOf(const RenderTargets& targets, const RenderOptions& options) {
 
 /// Those of the whole picture: a second pass for depth and normals has one for each pixel.
 double allRaysOf(const RenderTargets& targets, const RenderOptions& options) {
+  const Vec2<int> size = sizeOf(targets);
   RenderTargets central = targets;
   central.color = central.samples = nullptr;
   const double first = raysOf(targets, options);
   const bool isSecond = anyOf(central) && (targets.samples || !options.sampling.isPlain()) &&
                         (targets.samples || targets.color);
-  return double(sizeOf(targets).x()) * sizeOf(targets).y() * (first + isSecond);
+  return double(size.x()) * size.y() * (first + isSecond);
 }
 
 /// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a

@@ -47,7 +47,7 @@ double windingNumber(const MeshGeometry& mesh, const Vec3d& p) {
 
 SceneReview::SceneReview(const SceneParser& scene) {
   const Camera& camera = *scene.getCamera();
-  isPerspective_ = dynamic_cast<const PerspectiveCamera*>(&camera) != nullptr;
+  isPerspective_ = typeid(camera) == typeid(PerspectiveCamera);
   Points points = {camera.getCenter()};
   for (int i = 0; i < scene.getNumLights(); ++i) {
     const auto* light = dynamic_cast<const PointLight*>(scene.getLight(i));
