@@ -47,5 +47,6 @@ build_library() {
 
 unpack && compiler c-compiler gcc && compiler bare-compiler g++ && build_library || exit 1
 headers=$folder/include/c++/$version
+rm -rf "$folder/source" "$folder/work"
 compiler x86_64-linux-musl-g++ "g++ -nostdinc++ -I$headers -I$headers/x86_64-linux-musl \
 -L$folder/lib -Wl,--eh-frame-hdr -Wl,--undefined=_dl_find_object"
