@@ -23,6 +23,8 @@ compiler() {
     chmod +x "$folder/bin/$1"
 }
 
+# Without the threads that libgcc would be configured for there is no std::mutex; they are there in
+# every program for musl, so that no symbol needs to be weak.
 unpack() {
   mkdir -p "$folder/source" "$folder/work" "$folder/bin" && cd "$folder/source" &&
     tar xJf "$archive" --strip-components=1 --wildcards \
@@ -30,7 +32,8 @@ unpack() {
       '*/include' '*/libbacktrace' '*/libiberty' '*/gcc/BASE-VER' '*/gcc/DEV-PHASE' \
       "gcc-$version/config*" "gcc-$version/m*" "gcc-$version/lt*" "gcc-$version/libtool*" \
       '*/install-sh' '*/symlink-tree' '*/depcomp' '*/compile' &&
-    date +%Y%m%d >gcc/DATESTAMP
+    date +%Y%m%d >gcc/DATESTAMP && cp libgcc/gthr-posix.h libgcc/gthr-default.h &&
+    sed -i '1i #define GTHREAD_USE_WEAK 0' libgcc/gthr.h
 }
 
 # The unwinder of libgcc asks for _dl_find_object, which only glibc has.
