@@ -13,7 +13,7 @@ class Material;
 class Hit {
  public:
   /// Nothing found yet, and everything is near enough.
-  Hit() = default;
+  Hit() {}  // were it defaulted, Hit() would first clear all bytes, slowly
   /// Nothing found yet; only surfaces with t < tmax count.
   explicit Hit(double tmax) : t_(tmax) {}
   Hit(double t, const Material* material, const Vec3d& normal)

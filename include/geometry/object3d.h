@@ -10,7 +10,9 @@
 /// The question of occluded(), to be asked along with others.
 struct ShadowQuery {
   Ray ray;
-  double tmin, tmax;
+  double tmin = 0, tmax = 0;
+  ShadowQuery() {}  // as that of Ray
+  ShadowQuery(const Ray& r, double least, double most) : ray(r), tmin(least), tmax(most) {}
 };
 
 class Object3D {

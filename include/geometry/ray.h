@@ -10,9 +10,17 @@ class Object3D;
 
 class Ray {
  public:
-  Ray() = default;
+  Ray() {}  // were it defaulted, Ray() would first clear all bytes, slowly
   Ray(const Vec3d& origin, const Vec3d& direction) : origin_(origin), direction_(direction) {}
 
+  /// Becomes the ray from `origin` along `direction` that leaves nothing. In place: a ray that is
+  /// made elsewhere and then copied makes the processor wait for its stores.
+  void set(const Vec3d& origin, const Vec3d& direction) {
+    origin_ = origin;
+    direction_ = direction;
+    source_ = nullptr;
+    sourcePart_ = 0;
+  }
   const Vec3d& getOrigin() const { return origin_; }
   const Vec3d& getDirection() const { return direction_; }
   Vec3d pointAtParameter(double t) const { return origin_ + direction_ * t; }

@@ -19,3 +19,12 @@ struct Passage {
   bool isClosed = false;  ///< the surface encloses a volume; known with RenderOptions::fresnel
   Vec3f tint{1, 1, 1};    ///< what is left of the light from the surface where the ray began
 };
+
+/// Index 1 on one side and the material's own on the other; `isOutside` where the ray comes from
+/// the side of index 1.
+inline Passage plainPassage(bool isOutside) {
+  Passage passage;
+  passage.before.isOwn = !isOutside;
+  passage.behind.isOwn = isOutside;
+  return passage;
+}

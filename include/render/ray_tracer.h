@@ -1,11 +1,11 @@
 // RayTracer: the colour of a ray. Reads like the assignment: ambient + lights + mirror +
 // transmitted. A small value: every worker thread has a copy of its own.
 #pragma once
-#include <optional>
 #include <vector>
 
 #include "geometry/object3d.h"
 #include "render/passage.h"
+#include "render/ray_batch.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
@@ -31,35 +31,28 @@ class RayTracer {
   Vec3f traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                  Hit& hit) const;
 
-  /// A ray as the recursion knows it.
-  struct TracedRay {
-    Ray ray;
-    double tmin;
-    float weight;             ///< the part that its colour has in the pixel
-    float indexOfRefraction;  ///< of the medium it travels in
-    Vec3f factor;  ///< of its colour in that of the ray it continues; white for an eye ray
-  };
-
-  /// traceRay for `count` <= Object3D::kBatchSize rays that belong together, all after the same
-  /// number of bounces: colors[i] becomes the colour that arrives along rays[i], with the very bits
+  /// traceRay for at most Object3D::kBatchSize rays that belong together, all after the same
+  /// number of bounces: colors[i] becomes the colour that arrives along ray i, with the very bits
   /// that traceRay gives. The rays go through the scene together, and so do the shadow rays to each
-  /// light, the mirrored rays and the refracted rays that begin where they end. `hits` has room for
-  /// `count` hits, passed in fresh; there what was hit is stored.
-  void traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits, Vec3f* colors) const;
+  /// light, the mirrored rays and the refracted rays that begin where they end. `hits` has as many
+  /// hits as there are rays, passed in fresh; there what was hit is stored.
+  void traceBatch(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const;
 
-  /// Finds what `count` eye rays hit, and no colours. Surfaces that change nothing, as
+  /// Finds what eye rays hit, and no colours. Surfaces that change nothing, as
   /// RenderOptions::nestedDielectrics has them, are passed over here as well.
-  void intersectBatch(const TracedRay* rays, int count, Hit* hits) const;
+  void intersectBatch(const RayBatch& batch, Hit* hits) const;
 
  private:
   class PartBatch;
+  class Continued;
 
   /// One light as a point sees it.
   struct LightSample {
     Vec3d direction;  ///< unit, to the light
     Vec3f color;      ///< what arrives where nothing is in the way
-    double distance;
-    bool isInFront;  ///< n.l > 0
+    double distance = 0;
+    bool isInFront = false;  ///< n.l > 0
+    LightSample() {}         // as that of Hit
   };
 
   /// The second half of traceRay: the colour of a surface that is known to be hit. Where its
@@ -70,23 +63,30 @@ class RayTracer {
               float indexOfRefraction) const;
   Vec3f shadeTexture(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
                      float weight, float indexOfRefraction) const;
-  Vec3d ambient(const Hit& hit) const;
+  Vec3d ambient(const Hit& hit) const {
+    return Vec3d(scene_->getAmbientLight()) * Vec3d(hit.getMaterial()->getDiffuseColor());
+  }
   Vec3d lights(const Ray& ray, const Hit& hit) const;
   /// `hit`, or a copy in `turned` whose normal faces the ray, where back sides are to be lit too.
-  const Hit& litSide(const Ray& ray, const Hit& hit, std::optional<Hit>& turned) const;
-  LightSample sampleLight(int index, const Hit& lit) const;
+  const Hit& litSide(const Ray& ray, const Hit& hit, Hit& turned) const {
+    return options_.shadeBack ? sideTowards(ray, hit, turned) : hit;
+  }
+  static const Hit& sideTowards(const Ray& ray, const Hit& hit, Hit& turned);
+  void sampleLight(int index, const Hit& lit, LightSample& light) const;
   Vec3d reflected(const Ray& ray, const Hit& lit, const LightSample& light,
                   const Vec3f& visible) const;
-  /// The rays that continue `ray` where it hits; nothing where there is none, or none is wanted.
-  std::optional<TracedRay> mirrored(const Ray& ray, const Hit& hit, const Passage& passage,
-                                    int bounces, float weight, float indexOfRefraction) const;
-  std::optional<TracedRay> refracted(const Ray& ray, const Hit& hit, const Passage& passage,
-                                     int bounces, float weight) const;
+  /// The rays that continue `ray` where it hits, made in place: copying a ray that has just been
+  /// written waits for its stores. False where there is none, or none is wanted.
+  bool mirrored(const Ray& ray, const Hit& hit, const Passage& passage, int bounces, float weight,
+                float indexOfRefraction, Ray& next, RayShare& share) const;
+  bool refracted(const Ray& ray, const Hit& hit, const Passage& passage, int bounces, float weight,
+                 Ray& next, RayShare& share) const;
   Vec3f mirrorFactor(const Ray& ray, const Hit& hit, const Passage& passage) const;
   Vec3f refractedFactor(const Ray& ray, const Hit& hit, const Passage& passage) const;
-  Vec3d follow(std::optional<TracedRay> next, int bounces) const;
-  /// `next`, told of as a ray that begins after `bounces` others.
-  TracedRay begun(RayKind kind, const TracedRay& next, int bounces) const;
+  Vec3d follow(Ray& next, double tmin, const RayShare& share, int bounces) const;
+  /// Tells of a ray that begins after `bounces` others.
+  void reportBegin(RayKind kind, const Ray& ray, double tmin, const RayShare& share,
+                   int bounces) const;
 
   /// Finds what lies on both sides of `hit`, the nearest with t < tmax. Where the surface is inside
   /// a medium of higher priority and changes nothing, moves `hit` on to the nearest behind it that
@@ -96,7 +96,7 @@ class RayTracer {
   bool wantsMedia(const Hit& hit) const;
   double reachOf(const Hit& hit) const;
 
-  bool mayTrace(RayKind kind, const Vec3f& color, int bounces, float weight) const;
+  bool mayTrace(RayKind kind, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
   Vec3d told(ColorTerm term, const Vec3d& color) const;
   void reportLight(int index, const Hit& hit, const LightSample& light, const Vec3f& visible) const;
@@ -104,25 +104,37 @@ class RayTracer {
   void report(const Event& event) const {
     if (observer_) event(*observer_);
   }
-  ShadowQuery shadowQuery(const Hit& hit, const LightSample& light) const;
-  // Parts of traceBatch.
-  void reportEyeRays(const TracedRay* rays, int count) const;
-  std::vector<Passage> findBatch(const TracedRay* rays, int count, Hit* hits) const;
-  void shadeBatch(const TracedRay* rays, const Hit* hits, const Passage* passages, int count,
+  void setShadowQuery(const Hit& hit, const LightSample& light, ShadowQuery& way) const {
+    setLeaving(hit, light.direction, way.ray);
+    way.tmin = double(epsilonAt(hit));
+    way.tmax = light.distance;
+  }
+  // Parts of traceBatch. The passages are none where every one is plain.
+  void reportEyeRays(const RayBatch& batch) const;
+  std::vector<Passage> findBatch(const RayBatch& batch, Hit* hits) const;
+  void shadeBatch(const RayBatch& batch, const Hit* hits, const std::vector<Passage>& passages,
                   int bounces, Vec3f* colors) const;
-  std::vector<Vec3d> localTerms(const TracedRay* rays, const Hit* hits, int count) const;
-  void addLight(int index, const TracedRay* rays, const Hit* hits, int count,
+  std::vector<Vec3d> localTerms(const std::vector<Ray>& rays, const Hit* hits) const;
+  void addLight(int index, const std::vector<Ray>& rays, const Hit* hits,
                 std::vector<Vec3d>& sums) const;
-  template <class Continue>
-  void addContinued(const Hit* hits, int count, int bounces, std::vector<Vec3d>& sums,
-                    const Continue& continued) const;
+  void addContinued(Continued& next, int bounces, std::vector<Vec3d>& sums) const;
 
-  Ray leavingRay(const Hit& hit, const Vec3d& direction) const;
-  float epsilonAt(const Hit& hit) const;
+  void setLeaving(const Hit& hit, const Vec3d& direction, Ray& ray) const {
+    ray.set(hit.getIntersectionPoint(), direction);
+    if (options_.epsilon.kind == Epsilon::Kind::adaptive) {
+      ray.setSource(hit.getObject(), hit.getPart());
+    }
+  }
+  float epsilonAt(const Hit& hit) const {
+    if (options_.epsilon.kind == Epsilon::Kind::fixed) return float(options_.epsilon.value);
+    return float(hit.getMagnitude() *
+                 0x1p-31);  // 4.7e-10: far above rounding, below the promised 1e-9
+  }
 
   const SceneParser* scene_;         // not owned
   const Object3D* geometry_;         // not owned
   RenderOptions options_;            // epsilon is never `automatic` here
-  bool hasGlass_;                    // some material of the scene is transparent
+  bool hasTextures_;                 // some material of the scene is a solid texture
+  bool tracksMedia_;                 // some passage may be other than plain
   RayObserver* observer_ = nullptr;  // not owned; null where nobody watches
 };

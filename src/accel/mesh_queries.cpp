@@ -52,7 +52,7 @@ void NearestInMesh::consider(const Candidate& c) {
     return;
   }
   query->found(t, order, corners.face);
-  winner = corners;
+  winner = c;
   found = true;
 }
 
@@ -63,7 +63,8 @@ bool NearestInMesh::ask(const Kernels& kernels, TraversalRay& r) {
   kernels.nearest(r);
   resolve(r);
   if (!found) return false;
-  mesh->setHit(winner.face, winner.a, winner.b, winner.c, *ray, query->t, *query->hit);
+  const MeshTree::Triangle corners = tree->triangleAt(winner.words, winner.lane);
+  mesh->setHit(corners.face, corners.a, corners.b, corners.c, *ray, query->t, *query->hit);
   return true;
 }
 

@@ -22,7 +22,7 @@ struct NearestInMesh : MeshQuery {
   std::uint32_t order;
   TimeMap time;
   bool found = false;
-  MeshTree::Triangle winner{};  ///< where found
+  Candidate winner{};  ///< where found
 
   /// Walks the tree with `r`, the ray as prepared for it, and records the hit; true where there
   /// is one.

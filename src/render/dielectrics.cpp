@@ -1,6 +1,7 @@
 // RayTracer: the rays that continue where a ray hits, and what they pass through.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "render/media.h"
 #include "render/optics.h"
@@ -29,13 +30,6 @@ double reflectance(const Ray& ray, const Hit& hit, const Passage& passage) {
                                double(passage.behind.indexAt(material)) / before);
 }
 
-/// Index 1 on one side and the material's own on the other, by the normal.
-void passPlainly(const Ray& ray, const Hit& hit, Passage& passage) {
-  const bool outside = isOutside(ray, hit);
-  passage.before.isOwn = !outside;
-  passage.behind.isOwn = outside;
-}
-
 Passage::Side sideOf(const Media::Medium& medium, const Hit& hit) {
   return {medium.object == hit.getObject(), medium.indexAt(hit.getIntersectionPoint())};
 }
@@ -44,7 +38,6 @@ Passage::Side sideOf(const Media::Medium& medium, const Hit& hit) {
 
 /// Whether `hit` asks for all that lies along the ray. What is far from all solids has air around.
 bool RayTracer::wantsMedia(const Hit& hit) const {
-  if (!hasGlass_) return false;
   if (!options_.fresnel && !(options_.nestedDielectrics && isTransparent(hit))) return false;
   const SolidObjects* solids = scene_->getSolids();
   return !solids || !solids->areBeyond(hit.getIntersectionPoint(), reachOf(hit));
@@ -59,9 +52,8 @@ bool RayTracer::settle(const Ray& ray, double tmax, Hit& hit, Passage& passage) 
   std::optional<Media> media;  // of the line that begins just before the first hit
   double start = 0;
   for (;;) {
-    passage = Passage();
-    passPlainly(ray, hit, passage);
-    if (!wantsMedia(hit)) return true;
+    passage = plainPassage(dot(hit.getNormal(), ray.getDirection()) < 0);
+    if (!tracksMedia_ || !wantsMedia(hit)) return true;
     if (!media) {
       start = hit.getT() - reachOf(hit);
       media.emplace(*geometry_, scene_->getSolids(),
@@ -114,25 +106,25 @@ Vec3f RayTracer::refractedFactor(const Ray& ray, const Hit& hit, const Passage& 
   return passage.isClosed ? passed : color * passed;
 }
 
-std::optional<RayTracer::TracedRay> RayTracer::mirrored(const Ray& ray, const Hit& hit,
-                                                        const Passage& passage, int bounces,
-                                                        float weight,
-                                                        float indexOfRefraction) const {
+bool RayTracer::mirrored(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                         float weight, float indexOfRefraction, Ray& next, RayShare& share) const {
   const Vec3f color = mirrorFactor(ray, hit, passage);
+  if (!anyPositive(color)) return false;
   const float mirrorWeight = weight * length(color * passage.tint);
-  if (!mayTrace(RayKind::mirror, color, bounces, mirrorWeight)) return std::nullopt;
+  if (!mayTrace(RayKind::mirror, bounces, mirrorWeight)) return false;
   const Vec3d direction = mirrorDirection(hit.getNormal(), ray.getDirection());
-  return begun(RayKind::mirror,
-               {leavingRay(hit, direction), epsilonAt(hit), mirrorWeight, indexOfRefraction, color},
-               bounces + 1);
+  setLeaving(hit, direction, next);
+  share = {mirrorWeight, indexOfRefraction, color};
+  if (observer_) reportBegin(RayKind::mirror, next, epsilonAt(hit), share, bounces + 1);
+  return true;
 }
 
-std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const Hit& hit,
-                                                         const Passage& passage, int bounces,
-                                                         float weight) const {
+bool RayTracer::refracted(const Ray& ray, const Hit& hit, const Passage& passage, int bounces,
+                          float weight, Ray& next, RayShare& share) const {
   const Vec3f color = refractedFactor(ray, hit, passage);
+  if (!anyPositive(color)) return false;
   const float refractedWeight = weight * length(color * passage.tint);
-  if (!mayTrace(RayKind::refracted, color, bounces, refractedWeight)) return std::nullopt;
+  if (!mayTrace(RayKind::refracted, bounces, refractedWeight)) return false;
   const Material& material = *hit.getMaterial();
   const float before = passage.before.indexAt(material), behind = passage.behind.indexAt(material);
   const Vec3d normal = isOutside(ray, hit) ? hit.getNormal() : -hit.getNormal();
@@ -143,9 +135,10 @@ std::optional<RayTracer::TracedRay> RayTracer::refracted(const Ray& ray, const H
     report([&](RayObserver& observer) {
       observer.branchStops(RayKind::refracted, BranchStop::totalReflection, refractedWeight);
     });
-    return std::nullopt;
+    return false;
   }
-  return begun(RayKind::refracted,
-               {leavingRay(hit, direction), epsilonAt(hit), refractedWeight, behind, color},
-               bounces + 1);
+  setLeaving(hit, direction, next);
+  share = {refractedWeight, behind, color};
+  if (observer_) reportBegin(RayKind::refracted, next, epsilonAt(hit), share, bounces + 1);
+  return true;
 }

@@ -22,12 +22,17 @@ Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   return {usual ? Epsilon::Kind::fixed : Epsilon::Kind::adaptive, Epsilon::kCourse};
 }
 
-bool hasTransparentMaterial(const SceneParser& scene) {
+template <class Property>
+bool anyMaterial(const SceneParser& scene, const Property& hasIt) {
   for (int i = 0; i < scene.getNumMaterials(); ++i) {
-    if (anyPositive(scene.getMaterial(i)->getTransparentColor())) return true;
+    if (hasIt(*scene.getMaterial(i))) return true;
   }
   return false;
 }
+
+bool isTransparent(const Material& material) { return anyPositive(material.getTransparentColor()); }
+
+bool isTextured(const Material& material) { return material.asTexture() != nullptr; }
 
 }  // namespace
 
@@ -39,7 +44,9 @@ RayTracer::RayTracer(const SceneParser& scene, const Object3D& geometry,
     : scene_(&scene),
       geometry_(&geometry),
       options_(options),
-      hasGlass_(hasTransparentMaterial(scene)) {
+      hasTextures_(anyMaterial(scene, isTextured)),
+      tracksMedia_((options.fresnel || options.nestedDielectrics) &&
+                   anyMaterial(scene, isTransparent)) {
   options_.epsilon = resolved(options.epsilon, scene);
 }
 
@@ -53,7 +60,7 @@ RayTracer RayTracer::watchedBy(RayObserver* observer, const Object3D& geometry) 
 Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                           Hit& hit) const {
   if (observer_ && bounces == 0) {
-    begun(RayKind::eye, {ray, tmin, weight, indexOfRefraction, {1, 1, 1}}, 0);
+    reportBegin(RayKind::eye, ray, tmin, {weight, indexOfRefraction, {1, 1, 1}}, 0);
   }
   const double tmax = hit.getT();
   Passage passage;
@@ -73,11 +80,15 @@ Vec3f RayTracer::shade(const Ray& ray, const Hit& hit, const Passage& passage, i
   }
   const Vec3d fromAmbient = told(ColorTerm::ambient, ambient(hit));
   const Vec3d fromLights = told(ColorTerm::lights, lights(ray, hit));
+  Ray next;
+  RayShare share;
+  const bool isMirrored =
+      mirrored(ray, hit, passage, bounces, weight, indexOfRefraction, next, share);
   const Vec3d fromMirror =
-      told(ColorTerm::mirror,
-           follow(mirrored(ray, hit, passage, bounces, weight, indexOfRefraction), bounces));
-  const Vec3d fromBehind =
-      told(ColorTerm::transmitted, follow(refracted(ray, hit, passage, bounces, weight), bounces));
+      told(ColorTerm::mirror, isMirrored ? follow(next, epsilonAt(hit), share, bounces) : Vec3d());
+  const bool isRefracted = refracted(ray, hit, passage, bounces, weight, next, share);
+  const Vec3d fromBehind = told(
+      ColorTerm::transmitted, isRefracted ? follow(next, epsilonAt(hit), share, bounces) : Vec3d());
   // Summed in double and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
   return Vec3f((fromAmbient + fromLights + fromMirror + fromBehind) * Vec3d(passage.tint));
 }
@@ -101,16 +112,13 @@ Vec3f RayTracer::shadeTexture(const Ray& ray, const Hit& hit, const Passage& pas
   return Vec3f(sum);
 }
 
-Vec3d RayTracer::ambient(const Hit& hit) const {
-  return Vec3d(scene_->getAmbientLight()) * Vec3d(hit.getMaterial()->getDiffuseColor());
-}
-
 Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
-  std::optional<Hit> turned;
+  Hit turned;
   const Hit& lit = litSide(ray, hit, turned);
   Vec3d sum;
   for (int i = 0; i < scene_->getNumLights(); ++i) {
-    const LightSample light = sampleLight(i, lit);
+    LightSample light;
+    sampleLight(i, lit, light);
     const Vec3f visible = light.isInFront ? visibility(hit, light) : Vec3f();
     reportLight(i, hit, light, visible);
     if (visible == Vec3f()) continue;
@@ -121,19 +129,17 @@ Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
   return sum;
 }
 
-const Hit& RayTracer::litSide(const Ray& ray, const Hit& hit, std::optional<Hit>& turned) const {
-  if (!options_.shadeBack || dot(hit.getNormal(), ray.getDirection()) <= 0) return hit;
+const Hit& RayTracer::sideTowards(const Ray& ray, const Hit& hit, Hit& turned) {
+  if (dot(hit.getNormal(), ray.getDirection()) <= 0) return hit;
   turned = hit;
-  turned->set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
-  return *turned;
+  turned.set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
+  return turned;
 }
 
-RayTracer::LightSample RayTracer::sampleLight(int index, const Hit& lit) const {
-  LightSample light;
+void RayTracer::sampleLight(int index, const Hit& lit, LightSample& light) const {
   scene_->getLight(index)->getIllumination(lit.getIntersectionPoint(), light.direction, light.color,
                                            light.distance);
   light.isInFront = dot(lit.getNormal(), light.direction) > 0;
-  return light;
 }
 
 Vec3d RayTracer::reflected(const Ray& ray, const Hit& lit, const LightSample& light,
@@ -144,62 +150,42 @@ Vec3d RayTracer::reflected(const Ray& ray, const Hit& lit, const LightSample& li
 
 Vec3f RayTracer::visibility(const Hit& hit, const LightSample& light) const {
   if (!options_.shadows) return {1, 1, 1};
-  const ShadowQuery way = shadowQuery(hit, light);
+  ShadowQuery way;
+  setShadowQuery(hit, light, way);
   if (options_.transparentShadows) return transmittance(*geometry_, way.ray, way.tmin, way.tmax);
   return geometry_->occluded(way.ray, way.tmin, way.tmax) ? Vec3f() : Vec3f(1, 1, 1);
-}
-
-ShadowQuery RayTracer::shadowQuery(const Hit& hit, const LightSample& light) const {
-  return {leavingRay(hit, light.direction), epsilonAt(hit), light.distance};
 }
 
 void RayTracer::reportLight(int index, const Hit& hit, const LightSample& light,
                             const Vec3f& visible) const {
   report([&](RayObserver& observer) {
     const bool isAsked = light.isInFront && options_.shadows;
-    const ShadowQuery way = isAsked ? shadowQuery(hit, light) : ShadowQuery();
+    ShadowQuery way;
+    if (isAsked) setShadowQuery(hit, light, way);
     observer.lightAnswers({index, light.isInFront, isAsked, visible, light.direction,
                            light.distance, isAsked ? &way : nullptr});
   });
 }
 
 /// The mirror's and the transmitted term: what the next ray brings, `bounces` before it.
-Vec3d RayTracer::follow(std::optional<TracedRay> next, int bounces) const {
-  if (!next) return Vec3d();
+Vec3d RayTracer::follow(Ray& next, double tmin, const RayShare& share, int bounces) const {
   Hit hit;
-  return Vec3d(next->factor) * traceRay(next->ray, float(next->tmin), bounces + 1, next->weight,
-                                        next->indexOfRefraction, hit);
+  return Vec3d(share.factor) *
+         traceRay(next, float(tmin), bounces + 1, share.weight, share.indexOfRefraction, hit);
 }
 
-RayTracer::TracedRay RayTracer::begun(RayKind kind, const TracedRay& next, int bounces) const {
-  report([&](RayObserver& observer) {
-    observer.rayBegins(
-        {kind, next.ray, bounces, next.weight, next.indexOfRefraction, next.tmin, next.factor});
-  });
-  return next;
+void RayTracer::reportBegin(RayKind kind, const Ray& ray, double tmin, const RayShare& share,
+                            int bounces) const {
+  observer_->rayBegins(
+      {kind, ray, bounces, share.weight, share.indexOfRefraction, tmin, share.factor});
 }
 
-/// The one place where recursion stops.
-bool RayTracer::mayTrace(RayKind kind, const Vec3f& color, int bounces, float weight) const {
-  if (!anyPositive(color)) return false;
+/// The one place where recursion stops; a black factor asks for no ray at all.
+bool RayTracer::mayTrace(RayKind kind, int bounces, float weight) const {
   const bool hasBounces = bounces < options_.maxBounces;
   if (hasBounces && weight >= options_.minWeight) return true;
   report([&](RayObserver& observer) {
     observer.branchStops(kind, hasBounces ? BranchStop::weight : BranchStop::bounces, weight);
   });
   return false;
-}
-
-Ray RayTracer::leavingRay(const Hit& hit, const Vec3d& direction) const {
-  Ray ray(hit.getIntersectionPoint(), direction);
-  if (options_.epsilon.kind == Epsilon::Kind::adaptive) {
-    ray.setSource(hit.getObject(), hit.getPart());
-  }
-  return ray;
-}
-
-float RayTracer::epsilonAt(const Hit& hit) const {
-  if (options_.epsilon.kind == Epsilon::Kind::fixed) return float(options_.epsilon.value);
-  return float(hit.getMagnitude() *
-               0x1p-31);  // 4.7e-10: far above rounding, below the promised 1e-9
 }

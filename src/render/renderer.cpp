@@ -60,20 +60,19 @@ class TileRenderer {
   void renderTile(int tile) const {
     const PixelRectangle area = areaOf(tile);
     Pixel pixels[kTilePixels];
-    RayTracer::TracedRay rays[kTilePixels];
+    RayBatch rays(kTilePixels);
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
       const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
       if (!area.contains(pixel)) continue;
-      pixels[count] = pixel;
-      rays[count++] = {camera_.generateRay(centreOf(pixel)), camera_.getTMin(), 1, 1,
-                       Vec3f(1, 1, 1)};
+      pixels[count++] = pixel;
+      rays.add(camera_.generateRay(centreOf(pixel)), camera_.getTMin());
     }
     Hit hits[kTilePixels];
     if (targets_.color) {
-      setColors(rays, hits, pixels, count);
+      setColors(rays, hits, pixels);
     } else {
-      tracer_.intersectBatch(rays, count, hits);
+      tracer_.intersectBatch(rays, hits);
     }
     for (int k = 0; k < count; ++k) setSurface(hits[k], pixels[k]);
   }
@@ -88,11 +87,10 @@ class TileRenderer {
   int columns() const { return (width_ + kTileSize - 1) / kTileSize; }
   int rows() const { return (height_ + kTileSize - 1) / kTileSize; }
 
-  void setColors(const RayTracer::TracedRay* rays, Hit* hits, const Pixel* pixels,
-                 int count) const {
+  void setColors(const RayBatch& rays, Hit* hits, const Pixel* pixels) const {
     Vec3f colors[kTilePixels];
-    tracer_.traceBatch(rays, count, 0, hits, colors);
-    for (int k = 0; k < count; ++k) {
+    tracer_.traceBatch(rays, 0, hits, colors);
+    for (int k = 0; k < rays.size(); ++k) {
       set(targets_.color, targets_.exactColor, pixels[k], colors[k]);
     }
   }

@@ -2,16 +2,16 @@
 #include "render/sample_batch.h"
 
 void SampleBatch::flush() {
-  RayTracer::TracedRay rays[Object3D::kBatchSize];
+  RayBatch rays(count_);
   Hit hits[Object3D::kBatchSize];
   Vec3f colors[Object3D::kBatchSize];
   for (int k = 0; k < count_; ++k) {
     const Sample& sample = samples_[k];
     const Vec2d point = imagePoint(sample.at.i + sample.offset.x(), sample.at.j + sample.offset.y(),
                                    scene_.width, scene_.height);
-    rays[k] = {scene_.camera.generateRay(point), scene_.camera.getTMin(), 1, 1, Vec3f(1, 1, 1)};
+    rays.add(scene_.camera.generateRay(point), scene_.camera.getTMin());
   }
-  scene_.tracer.traceBatch(rays, count_, 0, hits, colors);
+  scene_.tracer.traceBatch(rays, 0, hits, colors);
   for (int k = 0; k < count_; ++k) receiver_(samples_[k], colors[k]);
   count_ = 0;
 }

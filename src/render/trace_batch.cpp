@@ -16,22 +16,64 @@ bool isFound(const Hit& hit) { return hit.getT() < Hit().getT(); }
 
 bool isTextured(const Hit& hit) { return isFound(hit) && hit.getMaterial()->asTexture(); }
 
+/// What lies on both sides of hit i; `passages` is empty where all of them are plain.
+Passage passageAt(const std::vector<Passage>& passages, const std::vector<Ray>& rays,
+                  const Hit* hits, std::size_t i) {
+  if (!passages.empty()) return passages[i];
+  return plainPassage(dot(hits[i].getNormal(), rays[i].getDirection()) < 0);
+}
+
 }  // namespace
+
+/// The rays that continue those of a batch.
+class RayTracer::Continued {
+ public:
+  explicit Continued(int capacity) : batch_(capacity + 1) {
+    places_.reserve(std::size_t(capacity));
+    addDraft();
+  }
+
+  /// A ray that does not count until it is kept.
+  Ray& draft() { return batch_.rays.back(); }
+  RayShare& draftShare() { return batch_.shares.back(); }
+  /// Takes the draft as the ray that continues ray number `place`.
+  void keep(double tmin, std::size_t place) {
+    batch_.tmins.push_back(tmin);
+    places_.push_back(place);
+    addDraft();
+  }
+
+  /// All that were kept. Afterwards there is no draft any more.
+  const RayBatch& finish() {
+    batch_.rays.resize(places_.size());
+    batch_.shares.resize(places_.size());
+    return batch_;
+  }
+  /// Which rays they continue.
+  const std::vector<std::size_t>& places() const { return places_; }
+
+ private:
+  void addDraft() {
+    batch_.rays.emplace_back();
+    batch_.shares.emplace_back();
+  }
+
+  RayBatch batch_;
+  std::vector<std::size_t> places_;
+};
 
 /// Shades hits of which some are of textures: the parts of all of them together, a batch at a time.
 class RayTracer::PartBatch {
  public:
   PartBatch(const RayTracer& tracer, int bounces, int count)
-      : tracer_(tracer), bounces_(bounces), sums_(std::size_t(count)) {}
+      : tracer_(tracer), bounces_(bounces), sums_(std::size_t(count)), batch_(count) {}
 
-  /// Takes what ray number `place` hit, if anything.
-  void add(const TracedRay& ray, const Hit& hit, const Passage& passage, int place) {
-    if (!isTextured(hit)) return addPart(ray, hit, passage, {place, 1});
+  /// Takes what ray number `place` of `batch` hit, if anything.
+  void add(const RayBatch& batch, int place, const Hit& hit, const Passage& passage) {
+    if (!isTextured(hit)) return addPart(batch, hit, passage, {place, 1});
     const SolidTexture& texture = *hit.getMaterial()->asTexture();
     for (const WeightedMaterial& part : texture.partsAt(hit.getIntersectionPoint())) {
-      TracedRay lighter = ray;
-      lighter.weight *= float(part.weight);
-      addPart(lighter, hit.withMaterial(part.material), passage, {place, part.weight});
+      addPart(batch, hit.withMaterial(part.material), passage, {place, part.weight});
     }
   }
 
@@ -42,104 +84,115 @@ class RayTracer::PartBatch {
   }
 
  private:
-  struct Share {
+  struct Part {
     int place;
     double weight;
   };
 
-  void addPart(const TracedRay& ray, const Hit& hit, const Passage& passage, const Share& share) {
-    if (shares_.size() == Object3D::kBatchSize) shadeParts();
-    rays_.push_back(ray);
+  void addPart(const RayBatch& batch, const Hit& hit, const Passage& passage, const Part& part) {
+    if (parts_.size() == Object3D::kBatchSize) shadeParts();
+    const auto place = std::size_t(part.place);
+    RayShare share = batch.shares[place];
+    share.weight *= float(part.weight);
+    batch_.add(batch.rays[place], batch.tmins[place], share);
     hits_.push_back(hit);
     passages_.push_back(passage);
-    shares_.push_back(share);
+    parts_.push_back(part);
   }
 
   void shadeParts() {
-    std::vector<Vec3f> colors(shares_.size());
-    tracer_.shadeBatch(rays_.data(), hits_.data(), passages_.data(), int(rays_.size()), bounces_,
-                       colors.data());
-    for (std::size_t k = 0; k < shares_.size(); ++k) {
-      sums_[std::size_t(shares_[k].place)] += shares_[k].weight * Vec3d(colors[k]);
+    std::vector<Vec3f> colors(parts_.size());
+    tracer_.shadeBatch(batch_, hits_.data(), passages_, bounces_, colors.data());
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      sums_[std::size_t(parts_[k].place)] += parts_[k].weight * Vec3d(colors[k]);
     }
-    rays_.clear();
+    batch_.clear();
     hits_.clear();
     passages_.clear();
-    shares_.clear();
+    parts_.clear();
   }
 
   const RayTracer& tracer_;
   int bounces_;
-  std::vector<TracedRay> rays_;
+  std::vector<Vec3d> sums_;
+  RayBatch batch_;
   std::vector<Hit> hits_;
   std::vector<Passage> passages_;
-  std::vector<Share> shares_;  // whose parts they are
-  std::vector<Vec3d> sums_;
+  std::vector<Part> parts_;  // whose they are
 };
 
-void RayTracer::traceBatch(const TracedRay* rays, int count, int bounces, Hit* hits,
-                           Vec3f* colors) const {
+void RayTracer::traceBatch(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const {
+  const int count = batch.size();
   if (count < kFewRays || bounces >= kMostGenerations) {
     for (int i = 0; i < count; ++i) {
-      Ray ray = rays[i].ray;
-      colors[i] = traceRay(ray, float(rays[i].tmin), bounces, rays[i].weight,
-                           rays[i].indexOfRefraction, hits[i]);
+      const RayShare& share = batch.shares[std::size_t(i)];
+      Ray ray = batch.rays[std::size_t(i)];
+      colors[i] = traceRay(ray, float(batch.tmins[std::size_t(i)]), bounces, share.weight,
+                           share.indexOfRefraction, hits[i]);
     }
     return;
   }
-  if (bounces == 0) reportEyeRays(rays, count);
-  const std::vector<Passage> passages = findBatch(rays, count, hits);
-  if (std::none_of(hits, hits + count, isTextured)) {
-    shadeBatch(rays, hits, passages.data(), count, bounces, colors);
+  if (bounces == 0) reportEyeRays(batch);
+  const std::vector<Passage> passages = findBatch(batch, hits);
+  if (!hasTextures_ || std::none_of(hits, hits + count, isTextured)) {
+    shadeBatch(batch, hits, passages, bounces, colors);
   } else {
     PartBatch parts(*this, bounces, count);
-    for (int i = 0; i < count; ++i) parts.add(rays[i], hits[i], passages[std::size_t(i)], i);
+    for (int i = 0; i < count; ++i) {
+      parts.add(batch, i, hits[i], passageAt(passages, batch.rays, hits, std::size_t(i)));
+    }
     parts.finish(colors);
   }
   for (int i = 0; observer_ && i < count; ++i) observer_->rayEnds(colors[i]);
 }
 
 /// The second half of traceBatch, where no hit is of a texture.
-void RayTracer::shadeBatch(const TracedRay* rays, const Hit* hits, const Passage* passages,
-                           int count, int bounces, Vec3f* colors) const {
-  std::vector<Vec3d> sums = localTerms(rays, hits, count);
-  addContinued(hits, count, bounces, sums, [&](int i) {
-    return mirrored(rays[i].ray, hits[i], passages[i], bounces, rays[i].weight,
-                    rays[i].indexOfRefraction);
-  });
-  addContinued(hits, count, bounces, sums, [&](int i) {
-    return refracted(rays[i].ray, hits[i], passages[i], bounces, rays[i].weight);
-  });
-  for (int i = 0; i < count; ++i) {
-    const Vec3d tint(passages[i].tint);
-    colors[i] =
-        isFound(hits[i]) ? Vec3f(sums[std::size_t(i)] * tint) : scene_->getBackgroundColor();
+void RayTracer::shadeBatch(const RayBatch& batch, const Hit* hits,
+                           const std::vector<Passage>& passages, int bounces, Vec3f* colors) const {
+  const int count = batch.size();
+  std::vector<Vec3d> sums = localTerms(batch.rays, hits);
+  Continued mirrors(count), behind(count);
+  for (std::size_t i = 0; i < batch.rays.size(); ++i) {
+    if (!isFound(hits[i])) continue;
+    const Ray& ray = batch.rays[i];
+    const RayShare& share = batch.shares[i];
+    const Passage passage = passageAt(passages, batch.rays, hits, i);
+    if (mirrored(ray, hits[i], passage, bounces, share.weight, share.indexOfRefraction,
+                 mirrors.draft(), mirrors.draftShare())) {
+      mirrors.keep(epsilonAt(hits[i]), i);
+    }
+    if (refracted(ray, hits[i], passage, bounces, share.weight, behind.draft(),
+                  behind.draftShare())) {
+      behind.keep(epsilonAt(hits[i]), i);
+    }
+  }
+  addContinued(mirrors, bounces, sums);
+  addContinued(behind, bounces, sums);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    colors[i] = !isFound(hits[i])  ? scene_->getBackgroundColor()
+                : passages.empty() ? Vec3f(sums[i])
+                                   : Vec3f(sums[i] * Vec3d(passages[i].tint));
   }
 }
 
-void RayTracer::intersectBatch(const TracedRay* rays, int count, Hit* hits) const {
-  reportEyeRays(rays, count);
-  findBatch(rays, count, hits);
+void RayTracer::intersectBatch(const RayBatch& batch, Hit* hits) const {
+  reportEyeRays(batch);
+  findBatch(batch, hits);
 }
 
-void RayTracer::reportEyeRays(const TracedRay* rays, int count) const {
-  for (int i = 0; observer_ && i < count; ++i) begun(RayKind::eye, rays[i], 0);
+void RayTracer::reportEyeRays(const RayBatch& batch) const {
+  for (std::size_t i = 0; observer_ && i < batch.rays.size(); ++i) {
+    reportBegin(RayKind::eye, batch.rays[i], batch.tmins[i], batch.shares[i], 0);
+  }
 }
 
 /// Finds what the rays hit, and what lies on both sides of it.
-std::vector<Passage> RayTracer::findBatch(const TracedRay* rays, int count, Hit* hits) const {
-  std::vector<Ray> only;
-  std::vector<double> tmins;
-  only.reserve(std::size_t(count));
-  tmins.reserve(std::size_t(count));
-  for (int i = 0; i < count; ++i) {
-    only.push_back(rays[i].ray);
-    tmins.push_back(rays[i].tmin);
-  }
-  geometry_->intersectBatch(only.data(), tmins.data(), count, hits);
-  std::vector<Passage> passages(only.size());
-  for (int i = 0; i < count; ++i) {
-    if (isFound(hits[i])) settle(rays[i].ray, Hit().getT(), hits[i], passages[std::size_t(i)]);
+std::vector<Passage> RayTracer::findBatch(const RayBatch& batch, Hit* hits) const {
+  const int count = batch.size();
+  geometry_->intersectBatch(batch.rays.data(), batch.tmins.data(), count, hits);
+  std::vector<Passage> passages(tracksMedia_ ? batch.rays.size() : 0);
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    if (isFound(hits[i])) settle(batch.rays[i], Hit().getT(), hits[i], passages[i]);
   }
   for (int i = 0; observer_ && i < count; ++i) {
     observer_->rayMeets(isFound(hits[i]) ? hits + i : nullptr);
@@ -148,69 +201,61 @@ std::vector<Passage> RayTracer::findBatch(const TracedRay* rays, int count, Hit*
 }
 
 /// Ambient light and all lamps.
-std::vector<Vec3d> RayTracer::localTerms(const TracedRay* rays, const Hit* hits, int count) const {
+std::vector<Vec3d> RayTracer::localTerms(const std::vector<Ray>& rays, const Hit* hits) const {
   const bool plainShadows = options_.shadows && !options_.transparentShadows;
-  const auto size = std::size_t(count);
-  std::vector<Vec3d> sums(size);
+  std::vector<Vec3d> sums(rays.size());
   for (int light = 0; plainShadows && light < scene_->getNumLights(); ++light) {
-    addLight(light, rays, hits, count, sums);
+    addLight(light, rays, hits, sums);
   }
-  for (int i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!isFound(hits[i])) continue;
-    Vec3d& sum = sums[std::size_t(i)];
-    sum = ambient(hits[i]) + (plainShadows ? sum : lights(rays[i].ray, hits[i]));
+    if (!plainShadows) sums[i] = lights(rays[i], hits[i]);
+    sums[i] += ambient(hits[i]);
   }
   return sums;
 }
 
 /// Adds to each sum what light `index` contributes there.
-void RayTracer::addLight(int index, const TracedRay* rays, const Hit* hits, int count,
+void RayTracer::addLight(int index, const std::vector<Ray>& rays, const Hit* hits,
                          std::vector<Vec3d>& sums) const {
-  struct Asked {
-    int place;
-    LightSample light;
-  };
-  std::vector<Asked> asked;
-  std::vector<ShadowQuery> ways;
-  asked.reserve(std::size_t(count));
-  ways.reserve(std::size_t(count));
-  for (int i = 0; i < count; ++i) {
+  std::vector<LightSample> samples;  // and room for one more
+  std::vector<ShadowQuery> ways;     // likewise
+  std::vector<std::size_t> places;
+  samples.reserve(rays.size() + 1);
+  ways.reserve(rays.size() + 1);
+  places.reserve(rays.size());
+  samples.emplace_back();
+  Hit turned;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!isFound(hits[i])) continue;
-    std::optional<Hit> turned;
-    const LightSample light = sampleLight(index, litSide(rays[i].ray, hits[i], turned));
+    LightSample& light = samples.back();
+    sampleLight(index, litSide(rays[i], hits[i], turned), light);
     if (!light.isInFront) reportLight(index, hits[i], light, Vec3f());
     if (!light.isInFront) continue;
-    ways.push_back(shadowQuery(hits[i], light));
-    asked.push_back({i, light});
+    ways.emplace_back();
+    setShadowQuery(hits[i], light, ways.back());
+    places.push_back(i);
+    samples.emplace_back();
   }
   bool blocked[Object3D::kBatchSize];
-  geometry_->occludedBatch(ways.data(), int(ways.size()), blocked);
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const int i = asked[k].place;
-    reportLight(index, hits[i], asked[k].light, blocked[k] ? Vec3f() : Vec3f(1, 1, 1));
+  geometry_->occludedBatch(ways.data(), int(places.size()), blocked);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t i = places[k];
+    reportLight(index, hits[i], samples[k], blocked[k] ? Vec3f() : Vec3f(1, 1, 1));
     if (blocked[k]) continue;
-    std::optional<Hit> turned;
-    const Hit& lit = litSide(rays[i].ray, hits[i], turned);
-    sums[std::size_t(i)] += reflected(rays[i].ray, lit, asked[k].light, Vec3f(1, 1, 1));
+    const Hit& lit = litSide(rays[i], hits[i], turned);
+    sums[i] += reflected(rays[i], lit, samples[k], Vec3f(1, 1, 1));
   }
 }
 
-/// Adds to each sum what the ray brings that continues ray i, where continued(i) gives one.
-template <class Continue>
-void RayTracer::addContinued(const Hit* hits, int count, int bounces, std::vector<Vec3d>& sums,
-                             const Continue& continued) const {
-  std::vector<TracedRay> next;
-  std::vector<std::size_t> places;
-  for (int i = 0; i < count; ++i) {
-    const std::optional<TracedRay> ray = isFound(hits[i]) ? continued(i) : std::nullopt;
-    if (!ray) continue;
-    next.push_back(*ray);
-    places.push_back(std::size_t(i));
-  }
-  std::vector<Hit> nextHits(next.size());
-  std::vector<Vec3f> colors(next.size());
-  traceBatch(next.data(), int(next.size()), bounces + 1, nextHits.data(), colors.data());
-  for (std::size_t k = 0; k < next.size(); ++k) {
-    sums[places[k]] += Vec3d(next[k].factor) * Vec3d(colors[k]);
+/// Adds to each sum what the ray brings that continues there, if any.
+void RayTracer::addContinued(Continued& next, int bounces, std::vector<Vec3d>& sums) const {
+  const RayBatch& batch = next.finish();
+  const std::vector<std::size_t>& places = next.places();
+  std::vector<Hit> hits(places.size());
+  std::vector<Vec3f> colors(places.size());
+  traceBatch(batch, bounces + 1, hits.data(), colors.data());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    sums[places[k]] += Vec3d(batch.shares[k].factor) * Vec3d(colors[k]);
   }
 }

@@ -18,6 +18,14 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
+bool namesPicture(const Options& o) {
+  for (const std::string* file : {&o.output, &o.depthOutput, &o.normalsOutput, &o.samplesOutput,
+                                  &o.filterOutput, &o.materialsOutput, &o.heatmapOutput}) {
+    if (!file->empty()) return true;
+  }
+  return false;
+}
+
 void checkOptions(const Options& o) {
   const auto within = [](double value, double least, double most) {
     return value >= least && value <= most;
@@ -32,10 +40,12 @@ void checkOptions(const Options& o) {
   fuzz::demand(o.depthOutput.empty() || o.depthMin != o.depthMax, "MIN and MAX differ");
   fuzz::demand(std::isfinite(o.depthMin) && std::isfinite(o.depthMax), "MIN and MAX are finite");
   if (o.help || o.version || o.shortHelp) return;
+  if (o.compare.isWanted() || o.merge.isWanted()) {
+    fuzz::demand(o.input.empty() && o.output.empty(), "what compares or merges renders nothing");
+    return;
+  }
   fuzz::demand(!o.input.empty(), "there is a scene");
-  fuzz::demand(
-      o.check || o.stats || !o.output.empty() || !o.depthOutput.empty() || !o.normalsOutput.empty(),
-      "there is something to do");
+  fuzz::demand(o.check || o.stats || o.tracesPixel || namesPicture(o), "there is something to do");
 }
 
 }  // namespace

@@ -209,17 +209,17 @@ TEST("rays that are traced one by one are counted as those of a batch") {
   const Object3D& geometry = *scene.getGroup();
   const RayTracer tracer(scene, geometry, scene_text::bouncing(4));
   RayCounts single, batch;
-  std::vector<RayTracer::TracedRay> rays;
+  RayBatch rays(64);
   for (int i = 0; i < 64; ++i) {
     const Ray ray = scene.getCamera()->generateRay({(i % 8 - 3.5) / 16, (i / 8 - 3.5) / 16});
-    rays.push_back({ray, 0, 1, 1, {1, 1, 1}});
+    rays.add(ray, 0);
     Ray copy = ray;
     Hit hit;
     tracer.watchedBy(&single, geometry).traceRay(copy, 0, 0, 1, 1, hit);
   }
   std::vector<Hit> hits(64);
   std::vector<Vec3f> colors(64);
-  tracer.watchedBy(&batch, geometry).traceBatch(rays.data(), 64, 0, hits.data(), colors.data());
+  tracer.watchedBy(&batch, geometry).traceBatch(rays, 0, hits.data(), colors.data());
   CHECK(single.rays(RayKind::refracted) > 20);
   checkSame(single, batch);
 }

@@ -59,24 +59,24 @@ SceneParser hallOfTextures() {
       MaterialIndex 0 Sphere { center -1.5 1.5 0 radius 0.5 } })");
 }
 
-RayTracer::TracedRay eyeRay(int i, int size) {
+Ray eyeRay(int i, int size) {
   const int side = 16;
   const Vec3d target((i % side - 7.5) * 3 / size, (i / side - 7.5) * 3 / size, 0);
   const Vec3d eye(0, 0.2, 5);
-  return {Ray(eye, normalize(target - eye)), 0, 1, 1, Vec3f(1, 1, 1)};
+  return {eye, normalize(target - eye)};
 }
 
 /// Compares `count` rays of a batch that starts after `bounces`.
 void compare(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
              int count, int bounces) {
   const RayTracer tracer(scene, geometry, options);
-  std::vector<RayTracer::TracedRay> rays;
-  for (int i = 0; i < count; ++i) rays.push_back(eyeRay(i, 16));
-  std::vector<Hit> hits(rays.size());
-  std::vector<Vec3f> colors(rays.size());
-  tracer.traceBatch(rays.data(), count, bounces, hits.data(), colors.data());
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    Ray ray = rays[i].ray;
+  RayBatch batch(count);
+  for (int i = 0; i < count; ++i) batch.add(eyeRay(i, 16), 0);
+  std::vector<Hit> hits(batch.rays.size());
+  std::vector<Vec3f> colors(batch.rays.size());
+  tracer.traceBatch(batch, bounces, hits.data(), colors.data());
+  for (std::size_t i = 0; i < batch.rays.size(); ++i) {
+    Ray ray = batch.rays[i];
     Hit hit;
     const Vec3f expected = tracer.traceRay(ray, 0, bounces, 1, 1, hit);
     CHECK(colors[i] == expected);
@@ -122,16 +122,16 @@ TEST("a batch finds the surfaces behind those that change nothing") {
   RenderOptions options;
   options.nestedDielectrics = true;
   const RayTracer tracer(scene, *scene.getGroup(), options);
-  std::vector<RayTracer::TracedRay> rays;
-  for (int i = 0; i < 256; ++i) rays.push_back(eyeRay(i, 16));
+  RayBatch batch(256);
+  for (int i = 0; i < 256; ++i) batch.add(eyeRay(i, 16), 0);
   std::vector<Hit> hits(256), coloredHits(256);
   std::vector<Vec3f> colors(256);
-  tracer.intersectBatch(rays.data(), 256, hits.data());
-  tracer.traceBatch(rays.data(), 256, 0, coloredHits.data(), colors.data());
+  tracer.intersectBatch(batch, hits.data());
+  tracer.traceBatch(batch, 0, coloredHits.data(), colors.data());
   int passedOver = 0;
   for (std::size_t i = 0; i < 256; ++i) {
     Hit first;
-    scene.getGroup()->intersect(rays[i].ray, first, 0);
+    scene.getGroup()->intersect(batch.rays[i], first, 0);
     passedOver += first.getT() < 10;
     CHECK(hits[i].getT() > 20);  // the far side of the outer ball
     CHECK_EQUAL(coloredHits[i].getT(), hits[i].getT());
@@ -147,7 +147,7 @@ TEST("the compiled scene and the plain tree give the same colours with every kin
   const RayTracer fast(scene, compiled, options), tree(scene, *scene.getGroup(), options);
   for (int i = 0; i < 256; ++i) {
     Hit a, b;
-    Ray ray = eyeRay(i, 16).ray;
+    Ray ray = eyeRay(i, 16);
     CHECK(fast.traceRay(ray, 0, 0, 1, 1, a) == tree.traceRay(ray, 0, 0, 1, 1, b));
   }
 }
