@@ -29,8 +29,10 @@ class SceneParser {
   SceneParser& operator=(const SceneParser&) = delete;
 
   /// Reads everything and returns all mistakes that can be told apart, in file order; none if the
-  /// scene is good. Never throws for a mistake in the input.
-  static std::vector<InputError> check(const char* filename);
+  /// scene is good. Never throws for a mistake in the input. Of a good scene `warnings`, where not
+  /// null, becomes what getWarnings() would be.
+  static std::vector<InputError> check(const char* filename,
+                                       std::vector<std::string>* warnings = nullptr);
 
   const Camera* getCamera() const { return camera_.get(); }
   Vec3f getBackgroundColor() const { return backgroundColor_; }
