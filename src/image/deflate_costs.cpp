@@ -21,6 +21,18 @@ constexpr std::array<std::uint8_t, kLongestCopy + 1> makeLengthTable(const Range
   return table;
 }
 
+/// Two ranges for every power of two: those of 128 times as far come 14 ranges later.
+constexpr unsigned kNearDistances = 256, kRangesFurther = 14;
+
+constexpr std::array<std::uint8_t, kNearDistances> makeDistanceTable() {
+  std::array<std::uint8_t, kNearDistances> table = {};
+  for (unsigned d = 0, range = 0; d < kNearDistances; ++d) {
+    while (kDistances[range + 1].base <= d + 1) ++range;
+    table[d] = static_cast<std::uint8_t>(range);
+  }
+  return table;
+}
+
 /// -log2(counts[i] / sum), in units of 1 / Costs::kBit. A count of 0 is taken for 1 / 4.
 template <std::size_t N>
 std::array<std::uint32_t, N> informationOf(const std::array<std::uint32_t, N>& counts) {
@@ -42,11 +54,9 @@ unsigned lengthRange(unsigned length) {
 }
 
 unsigned distanceRange(unsigned distance) {
+  static constexpr auto kTable = makeDistanceTable();
   const unsigned d = distance - 1;
-  if (d < 4) return d;
-  unsigned high = 2;  // the place of d's highest bit
-  while (d >> (high + 1) != 0) ++high;
-  return 2 * high + (d >> (high - 1) & 1);
+  return d < kNearDistances ? kTable[d] : kTable[d / (kNearDistances / 2)] + kRangesFurther;
 }
 
 void SymbolCounts::add(Token token) {
@@ -78,6 +88,27 @@ Costs::Costs(const SymbolCounts& counts) {
   for (unsigned range = 0; range < kDistanceSymbols; ++range) {
     distance[range] += kBit * kDistances[range].bits;
   }
+}
+
+std::uint64_t Costs::of(const SymbolCounts& counts) const {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < literal.size(); ++i) {
+    sum += std::uint64_t{counts.literals[i]} * literal[i];
+  }
+  for (std::size_t i = 0; i < std::size(kLengths); ++i) {
+    sum += std::uint64_t{counts.literals[kEndOfBlock + 1 + i]} * length[kLengths[i].base];
+  }
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    sum += std::uint64_t{counts.distances[i]} * distance[i];
+  }
+  return sum;
+}
+
+Costs costsAtFirst() {
+  SymbolCounts counts;
+  counts.literals.fill(1);
+  counts.distances.fill(1);
+  return Costs(counts);
 }
 
 }  // namespace deflate

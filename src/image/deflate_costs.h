@@ -43,6 +43,11 @@ struct Costs {
     return isLiteral(token) ? literal[token.length]
                             : length[token.length] + distance[distanceRange(token.distance)];
   }
+  /// Of all symbols but the end of a block.
+  std::uint64_t of(const SymbolCounts& counts) const;
 };
+
+/// Costs before anything is known of the bytes: all symbols cost the same.
+Costs costsAtFirst();
 
 }  // namespace deflate

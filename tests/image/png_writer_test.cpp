@@ -83,12 +83,12 @@ TEST("a filtered row is each byte less the guess of RFC 2083, 6") {
       {4, 6, 12, 24, 3, 241, 246}};
   for (unsigned filter = 0; filter < png::kFilters; ++filter) {
     std::uint8_t found[7];
-    png::filterRow(filter, row, above, found);
+    png::filterRow(filter, 3, row, above, found);
     CHECK(std::equal(found, found + 7, expected[filter]));
   }
   // Sums of |differences|: 120; 10+20+30+5+15+10 = 90; 6+12+24+3+3+10 = 58; 8+16+27+4+6+0 = 61;
   // 6+12+24+3+15+10 = 70.
-  CHECK_EQUAL(png::leastDifference(row, above), 2u);
+  CHECK_EQUAL(png::leastDifference(3, row, above), 2u);
 }
 
 TEST("slopes cost little, for the filters guess them") {
