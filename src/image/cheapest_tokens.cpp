@@ -16,7 +16,7 @@ struct Path {
 };
 
 /// Where copies reach as far as this, shorter ones are no use: it keeps flat pictures quick.
-constexpr unsigned kLongEnough = 160;
+constexpr unsigned kLongEnough = 80;
 
 void useCopies(const CopyLists& lists, const Costs& costs, std::size_t at,
                std::vector<Path>& paths) {

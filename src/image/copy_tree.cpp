@@ -35,7 +35,7 @@ std::size_t CopyTree::hashAt(std::size_t at) const {
   return (three * 0x9E3779B1u) >> (32 - kHashBits);  // 2^32 over the golden ratio (Knuth, TAOCP 3)
 }
 
-/// A node is overwritten by the place one window further on.
+/// A node is overwritten by the place one window further on, so the very farthest is not found.
 bool CopyTree::isInWindow(std::uint32_t place, std::size_t at) const {
   return place != kNone && at - place < kWindow;
 }

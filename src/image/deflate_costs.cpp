@@ -2,6 +2,7 @@
 #include "image/deflate_costs.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -66,6 +67,17 @@ void SymbolCounts::add(Token token) {
     ++literals[kEndOfBlock + 1 + lengthRange(token.length)];
     ++distances[distanceRange(token.distance)];
   }
+}
+
+SymbolCounts SymbolCounts::without(const SymbolCounts& part) const {
+  SymbolCounts rest;
+  const auto minus = std::minus<std::uint32_t>();
+  std::transform(literals.begin(), literals.end(), part.literals.begin(), rest.literals.begin(),
+                 minus);
+  std::transform(distances.begin(), distances.end(), part.distances.begin(), rest.distances.begin(),
+                 minus);
+  rest.literals[kEndOfBlock] = 1;
+  return rest;
 }
 
 SymbolCounts SymbolCounts::of(const std::vector<Token>& tokens, std::size_t first,

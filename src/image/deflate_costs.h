@@ -23,6 +23,8 @@ struct SymbolCounts {
   std::array<std::uint32_t, kDistanceSymbols> distances = {};
 
   void add(Token token);
+  /// Those of the rest of a block when `part` is made a block of its own: both have an end.
+  SymbolCounts without(const SymbolCounts& part) const;
   /// Of tokens[first..last), and the end of the block.
   static SymbolCounts of(const std::vector<Token>& tokens, std::size_t first, std::size_t last);
 };

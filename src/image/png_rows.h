@@ -6,8 +6,7 @@
 
 namespace png {
 
-/// How filters are chosen. Every way but `leastDifferences` costs some tenths of a microsecond a
-/// byte.
+/// How filters are chosen, the quickest way first.
 enum class FilterChoice {
   leastDifferences,  // for each row, by the sum of absolute differences
   perStretch,        // that, or one filter for a whole stretch, by a trial of what it would cost

@@ -9,18 +9,10 @@ namespace png {
 namespace {
 
 constexpr std::size_t kMostColors = 256;
+constexpr std::size_t kEntry = 3,
+                      kChunk = 12;  // bytes of a colour, and of a chunk besides its data
 
 bool isLess(Rgb8 a, Rgb8 b) { return std::tie(a.r, a.g, a.b) < std::tie(b.r, b.g, b.b); }
-
-bool isGrey(const Image& image) {
-  for (int y = 0; y < image.Height(); ++y) {
-    for (int x = 0; x < image.Width(); ++x) {
-      const Rgb8 pixel = image.getPixel(x, y);
-      if (pixel.r != pixel.g || pixel.g != pixel.b) return false;
-    }
-  }
-  return true;
-}
 
 /// Rising; empty where there are more than a palette holds.
 std::vector<Rgb8> colorsOf(const Image& image) {
@@ -40,23 +32,19 @@ std::vector<Rgb8> colorsOf(const Image& image) {
 
 }  // namespace
 
-Samples::Samples(const Image& image) : image_(image) {
-  if (isGrey(image)) {
-    colorType_ = kGrey;
-    return;
-  }
-  palette_ = colorsOf(image);
-  if (!palette_.empty()) colorType_ = kPalette;
+Samples::Samples(const Image& image) : image_(image), palette_(colorsOf(image)) {
+  const auto pixels = std::size_t(image.Width()) * std::size_t(image.Height());
+  if (palette_.size() * kEntry + kChunk >= pixels * (kEntry - 1)) palette_.clear();
 }
 
 void Samples::readRow(int y, Bytes& row) const {
   row.clear();
   for (int x = 0; x < image_.Width(); ++x) {
     const Rgb8 pixel = image_.getPixel(x, y);
-    if (colorType_ == kRgb) {
+    if (palette_.empty()) {
       row.insert(row.end(), {pixel.r, pixel.g, pixel.b});
     } else {
-      row.push_back(colorType_ == kGrey ? pixel.r : indexOf(pixel));
+      row.push_back(indexOf(pixel));
     }
   }
 }

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// How hard to try: what is thorough takes about 0.4 microseconds a byte of the samples.
+/// How hard to try.
 struct Effort {
   png::FilterChoice choice;
   unsigned trialDepth;  // see png::FilteredRows

@@ -56,6 +56,35 @@ TEST("pictures of every kind and shape come back from a PNG") {
   }
 }
 
+TEST("up to 256 colours make a palette, where it is shorter than what it saves") {
+  const auto colored = [](int width, int height, int colors) {
+    Image image(width, height);
+    for (int i = 0; i < width * height; ++i) {
+      const int color = i % colors;
+      image.setPixel(i % width, i / width,
+                     Rgb8{std::uint8_t(color), std::uint8_t(color / 256 * 9), 77});
+    }
+    return image;
+  };
+  const auto colorType = [](const Image& image) { return int(encodePng(image)[25]); };
+  for (const int colors : {1, 2, 3, 16, 17, 256, 257}) {
+    const Image image = colored(40, 30, colors);
+    CHECK(comesBack(image));
+    CHECK_EQUAL(colorType(image), colors <= 256 ? 3 : 2);
+  }
+  CHECK_EQUAL(colorType(colored(1, 1, 1)), 2);
+  // 7 pixels are 14 bytes shorter, a palette of one colour is 15 bytes; 8 are 16 bytes shorter.
+  CHECK_EQUAL(colorType(colored(7, 1, 1)), 2);
+  CHECK_EQUAL(colorType(colored(8, 1, 1)), 3);
+  Image grey(300, 2);
+  for (int x = 0; x < 300; ++x) {
+    const auto level = std::uint8_t(x * 7);
+    grey.setPixel(x, x % 2, Rgb8{level, level, level});
+  }
+  CHECK_EQUAL(colorType(grey), 3);  // never type 0: see png::Samples
+  CHECK(comesBack(grey));
+}
+
 TEST("pictures as wide or as high as can be come back from a PNG") {
   Random random(22);
   CHECK(comesBack(picture(65535, 2, 2, random)));
