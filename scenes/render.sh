@@ -18,7 +18,7 @@ render_scene() {
   start=$(now)
   # The arguments are a list of words, none a pattern; files that they name go beside the picture.
   (set -f && cd "$build/renders" &&
-    "$build/raytracer" -input "$1" -output "$picture" $(arguments_of "$1")) ||
+    "$build/raytracer" -quiet -input "$1" -output "$picture" $(arguments_of "$1")) ||
     return 1
   seconds=$(echo "$start $(now)" | awk '{ printf "%.2f", $2 - $1 }')
   printf '%-32s %8s s  %s\n' "$name" "$seconds" "$picture"

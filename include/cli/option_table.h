@@ -1,4 +1,5 @@
-// The table of all arguments: the parser, `-help` and the list in README.txt come from it alone.
+// The table of all arguments: the parser, `-help`, the manual page, bash's completion and the list
+// in README.txt come from it alone.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct OptionRow {
   /// What kind of run it belongs to.
   enum class Mode { rendering, comparing, merging, both };
   Mode mode = Mode::rendering;
+  /// The words that its first word may be, separated by single blanks, for completion.
+  const char* choices = "";
 };
 
 /// All rows, those of one group together.
@@ -38,6 +41,10 @@ std::string optionList();
 /// What `raytracer` alone prints, and what `-help` prints.
 std::string shortHelp();
 std::string fullHelp();
+
+/// The manual page in the macros of man(7), and the script with which bash completes arguments.
+std::string manPage();
+std::string completionScript();
 
 /// "raytracer 1.0".
 std::string versionText();

@@ -34,6 +34,12 @@ struct Options {
     tree,  ///< the plain object tree, for checking
     grid   ///< a uniform grid of gridSize cells
   };
+  /// Whether standard error tells how far the picture is.
+  enum class Progress {
+    automatic,  ///< where it is a terminal
+    on,
+    off
+  };
   /// Cells of the grid drawn in place of the scene.
   enum class GridPicture {
     none,   ///< the scene itself
@@ -60,9 +66,9 @@ struct Options {
   bool tracesPixel = false;     ///< print the rays of pixel (pixelX, pixelY)
   int pixelX = 0, pixelY = 0;   ///< from the top left, within width x height
   std::string pixelObjOutput;   ///< the same rays as lines; only with tracesPixel
-  PartOptions part;        ///< what of the picture is rendered
-  CompareOptions compare;  ///< a mode of its own: there is then no scene
-  MergeOptions merge;      ///< likewise
+  PartOptions part;             ///< what of the picture is rendered
+  CompareOptions compare;       ///< a mode of its own: there is then no scene
+  MergeOptions merge;           ///< likewise
 
   RenderOptions render;
   int threads = 0;      ///< worker threads, 1..kMaxThreads; 0 = one for each core
@@ -76,12 +82,19 @@ struct Options {
   /// All arguments, each name once: the last of equal ones, in the order in which these came.
   std::vector<GivenOption> given;
 
-  bool quiet = false;      ///< no warnings, no progress
+  bool quiet = false;  ///< no warnings
+  Progress progress = Progress::automatic;
+  bool preview = false;    ///< show the picture on standard output
   bool stats = false;      ///< print what was used and how long it took
   bool check = false;      ///< read the scene, report every mistake, render nothing
   bool shortHelp = false;  ///< no argument at all was given
   bool help = false;
   bool version = false;
+  bool man = false;         ///< print the manual page
+  bool completion = false;  ///< print the script for bash
+
+  /// Whether a text about the program is all that is wanted.
+  bool wantsText() const { return shortHelp || help || version || man || completion; }
 };
 
 /// Reads the command line `words`, without the program's own name. Throws UsageError at the first

@@ -59,6 +59,11 @@ void writeFile(const std::string& path, const void* data, std::size_t size);
 /// opens no FIFO. A disk that fills up later is not foreseen. Throws OutputError.
 void checkOutput(const std::string& path);
 
+/// A line of standard error is being redrawn: a signal that ends the program ends the line too, and
+/// a message begins below it.
+void setLineOpen(bool isOpen);
+bool isLineOpen();
+
 /// To be called once, by main: from then on a signal that ends the program (SIGINT, SIGTERM,
 /// SIGHUP, a crash, ...) removes every temporary file first. Signals that ask the program to end
 /// give exit status 128 + signal; those that were ignored stay ignored. SIGPIPE and SIGXFSZ are

@@ -10,6 +10,7 @@
 #include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "render/tile_keeper.h"
+#include "render/tile_listener.h"
 #include "scene/scene_parser.h"
 
 /// Which pixels of the whole picture the targets hold, where they are a part of it: those from
@@ -38,7 +39,8 @@ struct RenderTargets {
   double depthMin = 0, depthMax = 1;
   /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
   PictureWindow window{};
-  TileKeeper* keeper = nullptr;  ///< null: nobody keeps tiles
+  TileListener* listener = nullptr;  ///< null: nobody wants to know of tiles
+  TileKeeper* keeper = nullptr;      ///< null: nobody keeps tiles
 };
 
 /// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`

@@ -4,20 +4,21 @@
 #include <exception>
 
 #include "cli/fingerprint.h"
-#include "cli/program.h"
+#include "cli/messages.h"
 #include "render/tile_bytes.h"
 
 namespace {
 
 constexpr std::size_t kPiece = std::size_t(1) << 18;  // bytes that are written at once
 
-/// The pixels of the pictures.
+/// The pixels of the pictures; none where there are none.
 PixelRectangle wholeOf(const RenderTargets& targets) {
   const Image* image = targets.color     ? targets.color
                        : targets.depth   ? targets.depth
                        : targets.normals ? targets.normals
                        : targets.samples ? targets.samples
                                          : targets.materials;
+  if (!image) return {0, 0, 0, 0};
   const int zoom = image == targets.samples ? targets.samplesZoom : 1;
   return {0, 0, image->Width() / zoom, image->Height() / zoom};
 }

@@ -56,8 +56,8 @@ TableCommand readLine(const std::string& path, int number, const std::string& li
   if (picture != "-") words.insert(words.begin(), {"-output", picture});
   TableCommand command = {number, line, parseOptions(words)};
   Options& options = command.options;
-  if (options.help || options.version || options.check || options.stats || options.tracesPixel ||
-      options.shortHelp || options.compare.isWanted()) {
+  if (options.wantsText() || options.check || options.stats || options.tracesPixel ||
+      options.preview || options.compare.isWanted()) {
     throw UsageError("expected arguments that only render pictures");
   }
   if (picture != "-" && options.output != picture) {

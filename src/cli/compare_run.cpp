@@ -10,9 +10,10 @@
 
 #include "cli/command_table.h"
 #include "cli/compare_output.h"
+#include "cli/messages.h"
 #include "cli/outputs.h"
 #include "cli/picture_pairs.h"
-#include "cli/program.h"
+#include "cli/render_run.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
 
@@ -79,6 +80,9 @@ class TableRun {
     for (TableCommand& command : readCommandTable(options_.compare.actual)) {
       if (command.options.threads == 0) command.options.threads = options_.threads;
       command.options.quiet |= options_.quiet;
+      if (command.options.progress == Options::Progress::automatic) {
+        command.options.progress = Options::Progress::off;
+      }
       compareOutputs(command);
     }
     for (const std::string& name : expected_) {

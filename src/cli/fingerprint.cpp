@@ -74,11 +74,11 @@ void addArguments(const Options& options, Sha256& hash) {
 }  // namespace
 
 bool changesPicture(const std::string& name) {
-  static constexpr const char* kUnseen[] = {"input",          "output",        "depth", "normals",
-                                            "render_samples", "render_filter",  // see addPictures
-                                            "accel",          "threads",       "simd",  "stats",
-                                            "quiet",          "check",         "help",  "version",
-                                            "checkpoint",     "memory_limit"};
+  static constexpr const char* kUnseen[] = {
+      "input",      "output",       "depth",   "normals", "render_samples",  // see addPictures
+      "accel",      "threads",      "simd",    "stats",   "render_filter",   // likewise
+      "quiet",      "check",        "help",    "version", "progress",
+      "checkpoint", "memory_limit", "preview", "man",     "completion"};
   return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
 }
 

@@ -50,16 +50,29 @@ std::string optionList() {
 }
 
 std::string shortHelp() {
-  return "raytracer: renders a scene file to an image, for example\n" +
-         std::string(kCourseCommand) + "'raytracer -help' lists all arguments.\n";
+  std::string text =
+      "raytracer: renders a scene file to an image, for example\n" + std::string(kCourseCommand);
+  const std::vector<OptionRow>& table = optionTable();
+  for (auto row = table.begin(); row != table.end();) {
+    const std::string group = row->group;
+    std::string names;
+    for (; row != table.end() && group == row->group; ++row) {
+      names += (names.empty() ? "-" : " -") + std::string(row->name);
+    }
+    text += "\n  " + group;
+    appendWrapped(text, group.size() + 2, names);
+    text.pop_back();
+  }
+  return text + "\n\n'raytracer -help' explains them all.\n";
 }
 
 std::string fullHelp() {
   return "raytracer: renders a scene file to an image, for example\n" +
          std::string(kCourseCommand) +
          "Arguments come in any order, with one dash or two; the last of two equal ones\n"
-         "wins. At least one of -output, -depth, -normals, -render_samples, -render_filter,\n"
-         "-materials, -heatmap, -pixel, -stats or -check is needed.\n\n" +
+         "wins. -input, -compare or -merge is needed, and with -input at least one of\n"
+         "-output, -depth, -normals, -render_samples, -render_filter, -materials,\n"
+         "-heatmap, -pixel, -preview, -stats and -check.\n\n" +
          optionList() +
          "\nExit status: 0 done, 1 an output failed, 2 wrong usage, 3 the scene or a mesh\n"
          "is at fault. Of -compare: 0 the same, 1 different, 2 wrong usage, 3 unreadable.\n"

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "cli/run_display.h"
 #include "render/heatmap.h"
 #include "render/material_colors.h"
 #include "render/number_text.h"
@@ -38,7 +39,28 @@ std::string resultOf(const Options& options, const PixelColors& colors) {
          std::to_string(bytes.g) + " " + std::to_string(bytes.b) + "\n";
 }
 
-std::string inspectPixel(const InspectedScene& inspected, const Options& options, Output* obj) {
+}  // namespace
+
+bool wantsInspection(const Options& options) {
+  return options.tracesPixel || !options.heatmapOutput.empty();
+}
+
+void drawHeatmap(const InspectedScene& inspected, const Options& options, int threads,
+                 std::vector<Output>& outputs) {
+  Output* const heat = find(outputs, Output::Kind::heatmap);
+  if (!heat) return;
+  RunDisplay display(options, RenderTargets());
+  const std::vector<std::uint32_t> counts =
+      countRays(inspected.scene, inspected.geometry, options.render, threads, options.width,
+                options.height, display.isWanted() ? &display : nullptr);
+  display.finish();
+  heat->text = drawHeatmap(counts, heat->image);
+}
+
+std::string inspectPixel(const InspectedScene& inspected, const Options& options,
+                         std::vector<Output>& outputs) {
+  if (!options.tracesPixel) return "";
+  Output* const obj = find(outputs, Output::Kind::rays);
   const SceneNames names(inspected.scene, inspected.places);
   RayReport report(names, inspected.geometry, options.render, writeOut);
   const double span = inspected.scene.getSpan();
@@ -51,24 +73,6 @@ std::string inspectPixel(const InspectedScene& inspected, const Options& options
       tracePixel(inspected.scene, inspected.geometry, options.render, place, observers);
   if (obj) obj->text = lines.obj();
   return resultOf(options, colors);
-}
-
-}  // namespace
-
-bool wantsInspection(const Options& options) {
-  return options.tracesPixel || !options.heatmapOutput.empty();
-}
-
-std::string inspect(const InspectedScene& inspected, const Options& options, int threads,
-                    std::vector<Output>& outputs) {
-  if (Output* const heat = find(outputs, Output::Kind::heatmap)) {
-    const std::vector<std::uint32_t> counts =
-        countRays(inspected.scene, inspected.geometry, options.render, threads, options.width,
-                  options.height);
-    heat->text = drawHeatmap(counts, heat->image);
-  }
-  if (!options.tracesPixel) return "";
-  return inspectPixel(inspected, options, find(outputs, Output::Kind::rays));
 }
 
 std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs) {

@@ -20,12 +20,15 @@ struct InspectedScene {
   const Object3D& geometry;
 };
 
-/// Draws the heat map in its output and stores the lines of the pixel's rays in theirs, where
-/// `outputs` has them. Writes the tree of rays to standard output, as far as that takes it: the
-/// caller looks at ferror(stdout). Returns what is to be printed last: the pixel's colour in
-/// numbers and in bytes, or "".
-std::string inspect(const InspectedScene& inspected, const Options& options, int threads,
-                    std::vector<Output>& outputs);
+/// Draws the heat map in its output and stores its scale there, where `outputs` has it.
+void drawHeatmap(const InspectedScene& inspected, const Options& options, int threads,
+                 std::vector<Output>& outputs);
+
+/// Writes the tree of the pixel's rays to standard output, as far as that takes it (the caller
+/// looks at ferror(stdout)), and stores their lines where `outputs` has them. Returns what is to be
+/// printed last: the pixel's colour in numbers and in bytes, or "" where no pixel is asked for.
+std::string inspectPixel(const InspectedScene& inspected, const Options& options,
+                         std::vector<Output>& outputs);
 
 /// What the pictures among `outputs` mean, in lines: the materials that -materials shows and the
 /// scale of -heatmap; "" where neither is there.

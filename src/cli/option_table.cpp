@@ -2,191 +2,21 @@
 #include "cli/option_table.h"
 
 #include "cli/compare_arguments.h"
-#include "cli/option_values.h"
 #include "cli/part_arguments.h"
+#include "cli/render_arguments.h"
+#include "cli/run_arguments.h"
 #include "cli/sampling_arguments.h"
-#include "scene/wording.h"
 
 namespace {
 
-void setAccel(const GivenOption& given, Options& options) {
-  static constexpr std::string_view kNames[] = {"fast", "tree"};
-  const std::string& word = given.words[0];
-  if (!WordList(kNames).contains(word)) failChoice(given, kNames);
-  options.accel = word == "fast" ? Options::Accel::fast : Options::Accel::tree;
-}
-
-void setGrid(const GivenOption& given, Options& options) {
-  static constexpr const char* kNames[] = {"NX", "NY", "NZ"};
-  int cells = 1;  // stays below 2^30
-  for (int axis = 0; axis < 3; ++axis) {
-    options.gridSize[axis] = wholeNumber(given, std::size_t(axis), kNames[axis], 1, kMaxGridSide);
-    cells *= options.gridSize[axis];
-  }
-  if (cells > kMaxGridCells) {
-    throw UsageError("-grid: expected at most " + std::to_string(kMaxGridCells) +
-                     " cells in all, found " + std::to_string(cells));
-  }
-  options.accel = Options::Accel::grid;
-}
-
-void setSimd(const GivenOption& given, Options& options) {
-  for (const SimdLevel level :
-       {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
-    if (given.words[0] != nameOf(level)) continue;
-    options.simd = level;
-    return;
-  }
-  throw UsageError("-simd: expected auto, baseline, avx2 or avx512, found " +
-                   ::quoted(given.words[0]));
-}
-
-void setEpsilon(const GivenOption& given, Options& options) {
-  Epsilon& epsilon = options.render.epsilon;
-  epsilon.value = Epsilon::kCourse;
-  if (given.words[0] == "adaptive") {
-    epsilon.kind = Epsilon::Kind::adaptive;
-    return;
-  }
-  epsilon.kind = Epsilon::Kind::fixed;
-  if (given.words[0] == "course") return;
-  epsilon.value = positiveNumber(given, ", course or adaptive");
-}
-
-using Given = const GivenOption&;
-
-std::vector<OptionRow> fileRows() {
-  const char* group = "Files";
-  return {
-      {group, "input", nullptr, "FILE", nullptr,
-       "scene to read (needed but for -compare and -merge); - is standard input",
-       [](Given given, Options& o) { o.input = inputName(given); }},
-      {group, "output", nullptr, "FILE", nullptr,
-       "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
-       "missing or unknown; so it does for the other images; - is standard output, for one image "
-       "of a run",
-       [](Given given, Options& o) { o.output = outputName(given); }},
-      {group, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
-       [](Given given, Options& o) {
-         o.width = wholeNumber(given, 0, "W", 1, kMaxImageSide);
-         o.height = wholeNumber(given, 1, "H", 1, kMaxImageSide);
-       }},
-      {group, "depth", nullptr, "MIN MAX FILE", nullptr,
-       "write the depth image, white at distance MIN and black at MAX; FILE MIN MAX, where FILE "
-       "does not look like a number, means the same",
-       readDepth},
-      {group, "normals", "normal", "FILE", nullptr,
-       "write the normal image: red, green, blue are |x|, |y|, |z| of the surface normal",
-       [](Given given, Options& o) { o.normalsOutput = outputName(given); }},
-      {group, "materials", nullptr, "FILE", nullptr,
-       "write a picture with a colour for each material, and print which is which",
-       [](Given given, Options& o) { o.materialsOutput = outputName(given); }},
-      {group, "heatmap", nullptr, "FILE", nullptr,
-       "write a picture of how many rays each pixel takes, and print its scale",
-       [](Given given, Options& o) { o.heatmapOutput = outputName(given); }},
-      {group, "pixel", nullptr, "X Y", nullptr,
-       "print all rays of one pixel, counted from the top left, and what becomes of them",
-       [](Given given, Options& o) {
-         o.pixelX = wholeNumber(given, 0, "X", 0, kMaxImageSide - 1);
-         o.pixelY = wholeNumber(given, 1, "Y", 0, kMaxImageSide - 1);
-         o.tracesPixel = true;
-       }},
-      {group, "pixel_obj", nullptr, "FILE", nullptr,
-       "with -pixel: write the same rays as lines of an OBJ file",
-       [](Given given, Options& o) { o.pixelObjOutput = outputName(given); }},
-      {group, "check", nullptr, "", nullptr,
-       "render nothing: read the scene and its meshes and report every mistake",
-       [](Given, Options& o) { o.check = true; }},
-  };
-}
-
-std::vector<OptionRow> lightRows() {
-  const char* group = "Light";
-  return {
-      {group, "bounces", nullptr, "N", "5",
-       "the most mirror or refracted rays in a row, 0 (none) to 10000",
-       [](Given given, Options& o) {
-         o.render.maxBounces = wholeNumber(given, 0, "N", 0, kMaxBounces);
-       }},
-      {group, "weight", nullptr, "W", "0.01",
-       "mirror and refracted rays whose part in the pixel would be below W are not traced; W is at "
-       "least 0",
-       [](Given given, Options& o) { o.render.minWeight = positiveFloat(given); }},
-      {group, "shadows", nullptr, "", "on", "cast shadow rays",
-       [](Given, Options& o) { o.render.shadows = true; }},
-      {group, "no_shadows", nullptr, "", nullptr, "cast no shadow rays",
-       [](Given, Options& o) { o.render.shadows = false; }},
-      {group, "transparent_shadows", nullptr, "", nullptr,
-       "transparent objects tint and dim the light instead of blocking it",
-       [](Given, Options& o) { o.render.transparentShadows = true; }},
-      {group, "shade_back", nullptr, "", nullptr, "light both sides of every surface",
-       [](Given, Options& o) { o.render.shadeBack = true; }},
-      {group, "nested_dielectrics", nullptr, "", nullptr,
-       "the index of refraction on either side follows from what a ray has entered and not left; "
-       "where objects overlap, the larger priority of their materials holds",
-       [](Given, Options& o) { o.render.nestedDielectrics = true; }},
-      {group, "fresnel", nullptr, "", nullptr,
-       "how much is reflected follows from index and angle; glass dims with the length inside",
-       [](Given, Options& o) { o.render.fresnel = true; }},
-      {group, "epsilon", nullptr, "E", nullptr,
-       "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
-       "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
-       "course where the bounded objects together span 1 to 1000 units, else adaptive)",
-       setEpsilon},
-  };
-}
-
-std::vector<OptionRow> runningRows() {
-  const char* group = "Running";
-  return {
-      {group, "threads", nullptr, "N", nullptr,
-       "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
-       [](Given given, Options& o) { o.threads = wholeNumber(given, 0, "N", 1, kMaxThreads); },
-       OptionRow::Mode::both},
-      {group, "memory_limit", nullptr, "MB", nullptr,
-       "end the run with a message rather than take more than so many megabytes of memory (2^20 "
-       "bytes each), 1 to 100000000 (default: no limit)",
-       [](Given given, Options& o) {
-         o.memoryLimit = wholeNumber(given, 0, "MB", 1, kMaxMemoryLimit);
-       },
-       OptionRow::Mode::both},
-      {group, "accel", nullptr, "NAME", "fast",
-       "fast, or tree: the plain object tree, for checking", setAccel},
-      {group, "grid", nullptr, "NX NY NZ", nullptr,
-       "find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most "
-       "16777216 in all, in place of -accel; the image never depends on it",
-       setGrid},
-      {group, "visualize_grid", nullptr, "", nullptr,
-       "draw the cells of -grid that hold any object as white boxes",
-       [](Given, Options& o) { o.gridPicture = Options::GridPicture::cells; }},
-      {group, "visualize_grid_count", nullptr, "", nullptr,
-       "the same in colours, from white for one object in a cell to red for more than 32",
-       [](Given, Options& o) { o.gridPicture = Options::GridPicture::counts; }},
-      {group, "simd", nullptr, "LEVEL", "auto",
-       "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
-       "best; the image never depends on it",
-       setSimd},
-      {group, "checkpoint", nullptr, "FILE", nullptr,
-       "keep finished parts of the picture in FILE, from which the same command takes up after the "
-       "program was ended; FILE is removed when the picture is done",
-       [](Given given, Options& o) { o.checkpoint = plainFileName(given); }},
-      {group, "stats", nullptr, "", nullptr,
-       "print what was used and how long it took, in lines of NAME: VALUE",
-       [](Given, Options& o) { o.stats = true; }},
-      {group, "quiet", nullptr, "", nullptr, "no warnings, no progress",
-       [](Given, Options& o) { o.quiet = true; }, OptionRow::Mode::both},
-      {group, "help", nullptr, "", nullptr, "print this list",
-       [](Given, Options& o) { o.help = true; }, OptionRow::Mode::both},
-      {group, "version", nullptr, "", nullptr, "print the version",
-       [](Given, Options& o) { o.version = true; }, OptionRow::Mode::both},
-  };
-}
-
+/// The groups in the order of -help: from what every run needs to what few ask for.
 std::vector<OptionRow> makeTable() {
   std::vector<OptionRow> table;
   for (const auto& rows :
-       {fileRows(), lightRows(), samplingRows(), partRows(), compareRows(), runningRows()})
+       {readingRows(), pictureRows(), tracingRows(), samplingRows(), shadingRows(), partRows(),
+        speedRows(), compareRows(), insideRows(), informationRows()}) {
     table.insert(table.end(), rows.begin(), rows.end());
+  }
   return table;
 }
 

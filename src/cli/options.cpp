@@ -6,6 +6,7 @@
 
 #include "cli/inspection.h"
 #include "cli/option_table.h"
+#include "cli/outputs.h"
 #include "cli/part_arguments.h"
 #include "cli/sampling_arguments.h"
 #include "scene/wording.h"
@@ -59,19 +60,21 @@ void note(const GivenOption& option, std::vector<GivenOption>& given) {
   given.push_back(option);
 }
 
+/// The argument that prints on standard output, or "" where none does.
+std::string printingArgument(const Options& options) {
+  if (options.stats) return "-stats";
+  if (options.tracesPixel) return "-pixel";
+  if (!options.heatmapOutput.empty()) return "-heatmap";
+  if (!options.materialsOutput.empty()) return "-materials";
+  return options.preview ? "-preview" : "";
+}
+
 void checkStandardOutput(const Options& options) {
-  const bool prints = options.stats || wantsInspection(options) || !options.materialsOutput.empty();
-  if (options.check || !prints) return;
-  for (const std::string& file :
-       {options.output, options.depthOutput, options.normalsOutput, options.samplesOutput,
-        options.filterOutput, options.materialsOutput, options.heatmapOutput,
-        options.pixelObjOutput}) {
-    if (file != "-") continue;
-    throw UsageError(std::string(options.stats                   ? "-stats"
-                                 : options.tracesPixel           ? "-pixel"
-                                 : options.heatmapOutput.empty() ? "-materials"
-                                                                 : "-heatmap") +
-                     ": expected standard output for its lines, found an image there");
+  const std::string printing = printingArgument(options);
+  if (options.check || printing.empty()) return;
+  for (const Output& output : wantedOutputs(options)) {
+    if (output.file != "-") continue;
+    throw UsageError(printing + ": expected standard output for its lines, found an image there");
   }
 }
 
@@ -104,15 +107,14 @@ void checkMode(const Options& options, const std::vector<const OptionRow*>& give
 void checkComplete(const Options& options) {
   checkGridPicture(options);
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
-  const bool anyOutput = !options.output.empty() || !options.depthOutput.empty() ||
-                         !options.normalsOutput.empty() || !options.samplesOutput.empty() ||
-                         !options.filterOutput.empty() || !options.materialsOutput.empty() ||
-                         wantsInspection(options) || options.stats || options.check;
+  const bool isAnyWanted = !wantedOutputs(options).empty() || options.tracesPixel ||
+                           options.preview || options.stats || options.check;
   checkStandardOutput(options);
-  if (!anyOutput)
+  if (!isAnyWanted)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
-        "-render_samples, -render_filter, -materials, -heatmap, -pixel, -stats and -check");
+        "-render_samples, -render_filter, -materials, -heatmap, -pixel, -preview, -stats and "
+        "-check");
 }
 
 }  // namespace
@@ -132,7 +134,7 @@ Options parseOptions(const std::vector<std::string>& words) {
     given.push_back(row);
     at += 1 + following.size();
   }
-  if (options.help || options.version || options.shortHelp) return options;
+  if (options.wantsText()) return options;
   checkMode(options, given);
   if (options.compare.isWanted() || options.merge.isWanted()) return options;
   checkComplete(options);

@@ -4,8 +4,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "cli/messages.h"
 #include "cli/part_arguments.h"
-#include "cli/program.h"
 #include "image/netpbm.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"

@@ -30,7 +30,3 @@ void makeImages(std::vector<Output>& outputs, const Options& options);
 
 /// Writes every output, complaining of each that fails, and returns how many were written.
 std::size_t writeAll(const std::vector<Output>& outputs);
-
-/// Reads the scene and renders the outputs that `options` name, without writing them. Prints the
-/// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
-std::vector<Output> renderPictures(const Options& options);

@@ -1,4 +1,4 @@
-// The arguments about parts of pictures.
+// The arguments about parts of pictures and long runs.
 #include "cli/part_arguments.h"
 
 #include <cstdint>
@@ -45,7 +45,7 @@ int firstRow(const Options& options, int tile) {
 }  // namespace
 
 std::vector<OptionRow> partRows() {
-  const char* group = "Parts of a picture";
+  const char* group = "Large pictures";
   return {
       {group, "region", nullptr, "X Y W H", nullptr,
        "render W x H pixels only, of which the first is X from the left and Y from the top; the "
@@ -59,6 +59,17 @@ std::vector<OptionRow> partRows() {
        "a run of its own, without -input: put an image together from all its parts, TGA files in "
        "any order",
        setMerge, OptionRow::Mode::merging},
+      {group, "checkpoint", nullptr, "FILE", nullptr,
+       "keep finished parts of the picture in FILE, from which the same command takes up after the "
+       "program was ended; FILE is removed when the picture is done",
+       [](Given given, Options& o) { o.checkpoint = plainFileName(given); }},
+      {group, "memory_limit", nullptr, "MB", nullptr,
+       "end the run with a message rather than take more than so many megabytes of memory (2^20 "
+       "bytes each), 1 to 100000000 (default: no limit)",
+       [](Given given, Options& o) {
+         o.memoryLimit = wholeNumber(given, 0, "MB", 1, kMaxMemoryLimit);
+       },
+       OptionRow::Mode::both},
   };
 }
 

@@ -1,30 +1,16 @@
-// The run of the program: parse, compile, trace, write.
+// The run of the program.
 #include "cli/program.h"
 
-#include <algorithm>
-#include <cstdio>
-#include <memory>
 #include <new>
-#include <optional>
 #include <stdexcept>
 #include <system_error>
 
-#include "accel/compiled_scene.h"
-#include "cli/checkpoint.h"
 #include "cli/compare_run.h"
-#include "cli/inspection.h"
 #include "cli/merge_run.h"
 #include "cli/option_table.h"
-#include "cli/outputs.h"
-#include "cli/part_arguments.h"
-#include "cli/part_id.h"
-#include "cli/sampling_arguments.h"
-#include "cli/scene_geometry.h"
-#include "cli/stats.h"
-#include "render/renderer.h"
-#include "scene/mistake_log.h"
-#include "scene/scene_parser.h"
-#include "scene/source_text.h"
+#include "cli/out_of_memory.h"
+#include "cli/render_run.h"
+#include "cli/scene_input.h"
 #include "system/memory_limit.h"
 #include "system/worker_threads.h"
 
@@ -34,249 +20,12 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-class OutOfMemory : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Returns work(); where memory runs out, throws OutOfMemory, which says what it was needed for.
-template <class Work>
-auto withMemory(const std::string& purpose, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    throw OutOfMemory("not enough memory " + purpose);
-  }
-}
-
-std::string displayName(const std::string& input) {
-  return input == "-" ? "standard input" : input;
-}
-
-int checkScene(const Options& options) {
-  const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
-    return SceneParser::check(options.input.c_str());
-  });
-  for (const InputError& mistake : mistakes) complain(mistake.what());
-  if (mistakes.size() >= MistakeLog::kCapacity) {
-    complain(displayName(options.input) + ": reading ended with mistake number " +
-             std::to_string(mistakes.size()));
-  }
-  if (!mistakes.empty()) return kSceneAtFault;
-  return print(displayName(options.input) + ": no mistakes found\n");
-}
-
-/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
-int threadCount(const Options& options) {
-  constexpr int kMegabytesEach = 8;
-  const int wanted =
-      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
-  if (options.memoryLimit == 0) return wanted;
-  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
-}
-
-bool needsClosedMeshes(const RenderOptions& render) {
-  return render.transparentShadows || render.nestedDielectrics || render.fresnel;
-}
-
-bool wantsRays(const RenderTargets& targets) {
-  return targets.color || targets.depth || targets.normals || targets.samples || targets.materials;
-}
-
-FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
-
-/// Where the pictures go that need rays; where -stats needs one, it is what `unwritten` holds.
-RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
-  const PixelRectangle area = renderedArea(options);
-  RenderTargets targets;
-  targets.window = {area.left, area.bottom, options.width, options.height};
-  for (Output& output : outputs) {
-    if (output.kind == Output::Kind::color) {
-      targets.color = &output.image;
-      targets.exactColor = exactOf(output);
-    }
-    if (output.kind == Output::Kind::depth) {
-      targets.depth = &output.image;
-      targets.exactDepth = exactOf(output);
-    }
-    if (output.kind == Output::Kind::normals) {
-      targets.normals = &output.image;
-      targets.exactNormals = exactOf(output);
-    }
-    if (output.kind == Output::Kind::samples) targets.samples = &output.image;
-    if (output.kind == Output::Kind::materials) targets.materials = &output.image;
-  }
-  targets.depthMin = options.depthMin;
-  targets.depthMax = options.depthMax;
-  targets.samplesZoom = options.samplesZoom;
-  if (!wantsRays(targets) && options.stats) {
-    unwritten = Image(area.width(), area.height());
-    targets.color = &unwritten;
-  }
-  return targets;
-}
-
-/// What one thread counts, apart from the others' in memory.
-struct alignas(128) ThreadCounts {
-  RayCounts rays;
-  RayTestCounts tests;
-  std::unique_ptr<const Object3D> geometry;
-};
-
-/// Renders, and enters in `stats` what the threads have counted.
-void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, const Options& options,
-                   const RenderTargets& targets, Stats& stats) {
-  std::vector<ThreadCounts> counts(std::size_t(stats.threads));
-  std::vector<WorkerView> views;
-  for (ThreadCounts& each : counts) {
-    each.geometry = geometry.counting(each.tests);
-    stats.countsTests = each.geometry != nullptr;
-    views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
-  }
-  render(scene, geometry.object(), options.render, stats.threads, targets, views);
-  stats.pixels = double(renderedArea(options).pixelCount());
-  for (const ThreadCounts& each : counts) {
-    stats.rays.add(each.rays);
-    stats.tests.add(each.tests);
-  }
-}
-
-/// Builds what answers for the scene's objects, then traces; enters both in `stats`. At last
-/// `inspectAll(geometry)` is called.
-template <class InspectAll>
-void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
-               Stats& stats, const InspectAll& inspectAll) {
-  stats.threads = threadCount(options);
-  Stopwatch watch;
-  const SceneGeometry geometry(*scene.getGroup(), options, stats.threads);
-  stats.simd = geometry.simd();
-  stats.tree = geometry.description();
-  stats.buildSeconds = watch.restart();
-  if (options.stats) {
-    renderCounted(scene, geometry, options, targets, stats);
-  } else if (wantsRays(targets)) {
-    render(scene, geometry.object(), options.render, stats.threads, targets);
-  }
-  stats.traceSeconds = watch.restart();
-  inspectAll(geometry.object());
-}
-
-void warnOfSimd(const Options& options) {
-  const SimdLevel available = availableSimd(options.simd);
-  if (options.simd == SimdLevel::automatic || available == options.simd) return;
-  complain(std::string("warning: -simd ") + nameOf(options.simd) +
-           ": this processor does not have it; " + nameOf(available) + " is used");
-}
-
-void printWarnings(const SceneParser& scene, const Options& options) {
-  if (options.quiet) return;
-  for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
-  warnOfSimd(options);
-  const std::string rounding = roundingWarning(options);
-  if (!rounding.empty()) complain("warning: " + rounding);
-}
-
-/// What is noted of a scene while it is read, as far as it is needed.
-struct ReadNotes {
-  Digest digest = {};   ///< of its bytes, for a checkpoint or a part
-  ObjectPlaces places;  ///< for -pixel
-};
-
-/// What is left to do when all is rendered.
-struct Rendered {
-  std::unique_ptr<Checkpoint> checkpoint;  ///< null where none is wanted
-  std::string lastLines;                   ///< to be printed last
-};
-
-SceneParser readScene(const Options& options, ReadNotes& notes) {
-  return withMemory("to read " + displayName(options.input), [&] {
-    const SourceText text = SourceText::read(options.input);
-    const std::string_view bytes = text.bytes();
-    if (!options.checkpoint.empty() || options.part.isWanted()) {
-      notes.digest = sha256(bytes.data(), bytes.size());
-    }
-    return SceneParser(text, options.tracesPixel ? &notes.places : nullptr);
-  });
-}
-
-void prepareScene(SceneParser& scene, const Options& options) {
-  printWarnings(scene, options);
-  if (needsClosedMeshes(options.render)) {
-    withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
-  }
-}
-
-/// Tells the outputs, where they are parts, which picture they belong to.
-void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Options& options,
-               std::vector<Output>& outputs) {
-  if (!options.part.isWanted()) return;
-  const PixelRectangle area = renderedArea(options);
-  for (Output& output : outputs) {
-    const PartId id =
-        partIdOf(output.kind, options, sceneDigest, scene.getMeshFiles(), threadCount(options));
-    output.place = {area.left, options.height - area.top, textOf(id)};
-  }
-}
-
-/// Gives every output its picture; where -stats wants rays and no output does, traces all the same.
-/// Where a checkpoint is wanted, `scene` is what notes.digest is of, and the checkpoint is
-/// returned.
-Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const Options& options,
-                       std::vector<Output>& outputs, Stats& stats) {
-  const PixelRectangle area = renderedArea(options);
-  const std::string size =
-      std::to_string(area.width()) + " x " + std::to_string(area.height()) + " pixels";
-  Image unwritten;
-  std::optional<MaterialColors> materialColors;
-  RenderTargets targets = withMemory("for images of " + size, [&] {
-    makeImages(outputs, options);
-    return targetsOf(options, outputs, unwritten);
-  });
-  if (targets.materials) targets.materialColors = &materialColors.emplace(scene);
-  Rendered rendered;
-  const auto inspectAll = [&](const Object3D& geometry) {
-    rendered.lastLines = inspect({scene, notes.places, geometry}, options, stats.threads, outputs);
-  };
-  if (wantsRays(targets)) {
-    rendered.checkpoint =
-        openCheckpoint(options, notes.digest, scene.getMeshFiles(), threadCount(options), targets);
-    targets.keeper = rendered.checkpoint.get();
-  }
-  if (wantsRays(targets) || wantsInspection(options)) {
-    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
-  }
-  if (rendered.checkpoint) rendered.checkpoint->stop();
-  return rendered;
-}
-
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  ReadNotes notes;
-  SceneParser scene = readScene(options, notes);
-  checkFiles(options, scene.getMeshFiles());
-  prepareScene(scene, options);
-  stats.readSeconds = watch.restart();
-
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
-  setPlaces(scene, notes.digest, options, outputs);
-  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
-  watch.restart();
-  const std::size_t written = writeAll(outputs);
-  if (rendered.checkpoint && written == wanted) rendered.checkpoint->remove();
-  stats.writeSeconds = watch.restart();
-  const std::string statsText = options.stats ? stats.text() : "";
-  const int printed = print(legendOf(scene, outputs) + statsText + rendered.lastLines);
-  return written == wanted ? printed : kOutputFailed;
-}
-
 int runHere(const Options& options) {
   if (options.shortHelp) return print(shortHelp());
   if (options.help) return print(fullHelp());
   if (options.version) return print(versionText() + "\n");
+  if (options.man) return print(manPage());
+  if (options.completion) return print(completionScript());
   if (options.check) return checkScene(options);
   if (options.compare.isWanted()) return runComparison(options);
   checkFiles(options);
@@ -309,28 +58,6 @@ int runWithin(int megabytes, const Options& options) {
 
 }  // namespace
 
-std::vector<Output> renderPictures(const Options& options) {
-  Stats stats;
-  ReadNotes notes;
-  SceneParser scene = readScene(options, notes);
-  prepareScene(scene, options);
-  std::vector<Output> outputs = wantedOutputs(options);
-  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
-  if (rendered.checkpoint) rendered.checkpoint->remove();
-  return outputs;
-}
-
 int runProgram(const Options& options) {
   return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
-}
-
-int print(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0 && !std::ferror(stdout)) return kDone;
-  complain("cannot write to standard output");
-  return kOutputFailed;
-}
-
-void complain(std::string_view message) {
-  std::fprintf(stderr, "raytracer: %.*s\n", int(message.size()), message.data());
 }

@@ -25,8 +25,9 @@ struct Slot {
 };
 
 Slot slots[kMostTemporaries];
-std::atomic<bool> changing{false};  // a thread is creating a file and noting its name
-std::atomic<bool> ending{false};    // a handler has begun: nothing may be created any more
+std::atomic<bool> changing{false};    // a thread is creating a file and noting its name
+std::atomic<bool> lineIsOpen{false};  // on standard error
+std::atomic<bool> ending{false};      // a handler has begun: nothing may be created any more
 static_assert(std::atomic<bool>::is_always_lock_free, "used in a signal handler");
 
 /// Blocks all signals in this thread and keeps handlers in other threads waiting, so that a file
@@ -136,8 +137,13 @@ void endOnSignal(int signal) {
   for (const Slot& slot : slots) {
     if (slot.taken) unlink(slot.name);
   }
+  if (lineIsOpen && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
   _exit(128 + signal);
 }
+
+void setLineOpen(bool isOpen) { lineIsOpen = isOpen; }
+
+bool isLineOpen() { return lineIsOpen; }
 
 void waitIfEnding() {
   while (ending) pause();

@@ -19,7 +19,8 @@ void setNumber(int number, std::uint8_t* bytes) {
 
 Bytes headerOf(int width, int height, const TgaPlace& place = {}) {
   assert(width >= 1 && height >= 1 && place.id.size() <= 255);
-  Bytes bytes(18);
+  constexpr std::size_t kHeader = 18;
+  Bytes bytes(kHeader + place.id.size());
   bytes[0] = static_cast<std::uint8_t>(place.id.size());
   bytes[2] = 2;  // true colour, not compressed
   setNumber(place.x, &bytes[8]);
@@ -28,7 +29,7 @@ Bytes headerOf(int width, int height, const TgaPlace& place = {}) {
   setNumber(height, &bytes[14]);
   bytes[16] = 24;
   bytes[17] = 0x20;  // the top row comes first
-  bytes.insert(bytes.end(), place.id.begin(), place.id.end());
+  std::copy(place.id.begin(), place.id.end(), bytes.begin() + kHeader);
   return bytes;
 }
 

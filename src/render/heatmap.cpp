@@ -95,19 +95,23 @@ Vec3f colorAt(double part) {
 
 std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& geometry,
                                      const RenderOptions& options, int threads, int width,
-                                     int height) {
+                                     int height, TileListener* listener) {
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
   const RayTracer tracer(scene, geometry, options);
   const SampledScene sampled = {*scene.getCamera(), tracer, width, height};
   const int columns = (width + kTileSize - 1) / kTileSize;
   const int tiles = columns * ((height + kTileSize - 1) / kTileSize);
+  const double samples = options.sampling.samples;  // as far as they can be foretold
+  if (listener) listener->begins(samples * width * height);
   std::atomic<int> next{0};
   runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int) {
     PixelCounter counter(sampled, geometry, options.sampling, counts);
     for (int tile; (tile = next++) < tiles;) {
       const int left = tile % columns * kTileSize, bottom = tile / columns * kTileSize;
-      counter.countTile(
-          {left, bottom, std::min(left + kTileSize, width), std::min(bottom + kTileSize, height)});
+      const PixelRectangle area = {left, bottom, std::min(left + kTileSize, width),
+                                   std::min(bottom + kTileSize, height)};
+      counter.countTile(area);
+      if (listener) listener->tileIsDone(area, samples * double(area.pixelCount()));
     }
   });
   return counts;

@@ -29,6 +29,7 @@ const Image* anyOf(const RenderTargets& targets) {
 Vec2<int> sizeOf(const RenderTargets& targets) {
   if (const Image* image = anyOf(targets)) return {image->Width(), image->Height()};
   const int zoom = targets.samplesZoom;
+  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): one target is given at least
   return {targets.samples->Width() / zoom, targets.samples->Height() / zoom};
 }
 
@@ -144,6 +145,23 @@ struct Watch {
   }
 };
 
+/// Rays for each pixel, as far as they can be foretold.
+double raysOf(const RenderTargets& targets, const RenderOptions& options) {
+  const bool isSampled = targets.samples || (targets.color && !options.sampling.isPlain());
+  return isSampled ? options.sampling.samples : 1;
+}
+
+/// Those of the whole picture: a second pass for depth and normals has one for each pixel.
+double allRaysOf(const RenderTargets& targets, const RenderOptions& options) {
+  const Vec2<int> size = sizeOf(targets);
+  RenderTargets central = targets;
+  central.color = central.samples = nullptr;
+  const double first = raysOf(targets, options);
+  const bool isSecond = anyOf(central) && (targets.samples || !options.sampling.isPlain()) &&
+                        (targets.samples || targets.color);
+  return double(size.x()) * size.y() * (first + isSecond);
+}
+
 /// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a
 /// renderer that makeRenderer(tracer) gives.
 template <class MakeRenderer>
@@ -156,9 +174,12 @@ void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderO
     const auto renderer = makeRenderer(tracer);
     for (int tile; (tile = next++) < tiles;) {
       const PixelRectangle area = renderer.areaOf(tile);
-      if (targets.keeper && targets.keeper->isFinished(targets, area)) continue;
-      renderer.renderTile(tile);
-      if (targets.keeper) targets.keeper->finish(targets, area);
+      if (!targets.keeper || !targets.keeper->isFinished(targets, area)) {
+        renderer.renderTile(tile);
+        if (targets.keeper) targets.keeper->finish(targets, area);
+      }
+      if (!targets.listener) continue;
+      targets.listener->tileIsDone(area, raysOf(targets, options) * double(area.pixelCount()));
     }
   });
 }
@@ -170,6 +191,7 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
   const RayTracer tracer(scene, geometry, options);
   const Watch watch = {tracer, views};
   RenderTargets central = targets;
+  if (targets.listener) targets.listener->begins(allRaysOf(targets, options));
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
     const PictureWindow window = windowOf(targets);
     RenderTargets ofSamples = targets;

@@ -14,6 +14,7 @@ void SceneBuilder::readMaterials() {
   const CountedBlock block{"Materials", "numMaterials", kMaterialWords, kMaterialWords};
   const auto readItem = [&] {
     areMaterialsSure_ = in_.mistakeCount() == mistakesBefore;
+    materialNotes_.push_back({in_.at(), false, {}});
     scene_.materials_.push_back(readMaterial());
     ++listedMaterials_;
   };
@@ -44,6 +45,8 @@ std::unique_ptr<Material> SceneBuilder::readMaterial() {
 
 /// A material written inside a Group, as in the course's older scenes.
 void SceneBuilder::readInlineMaterial() {
+  materialPlace_ = scene_.materials_.size();
+  materialNotes_.push_back({in_.at(), false, {}});
   scene_.materials_.push_back(readMaterial());
   material_ = scene_.materials_.back().get();
 }
@@ -54,7 +57,8 @@ void SceneBuilder::readMaterialIndex() {
   int index = 0;
   if (in_.readWholeNumber("MaterialIndex", index)) {
     if (index >= 0 && index < listedMaterials_) {
-      material_ = scene_.materials_[std::size_t(index)].get();
+      materialPlace_ = std::size_t(index);
+      material_ = scene_.materials_[materialPlace_].get();
       return;
     }
     if (areMaterialsSure_) {
@@ -68,7 +72,10 @@ void SceneBuilder::readMaterialIndex() {
 
 /// True where a material holds for the object at `at`. That there is none is said once.
 bool SceneBuilder::checkMaterial(std::string_view owner, const char* at) {
-  if (material_) return true;
+  if (material_) {
+    materialNotes_[materialPlace_].isUsed = true;
+    return true;
+  }
   if (!isMaterialMissed_) {
     in_.report(at, "expected a MaterialIndex before the first object, found " + quoted(owner));
   }

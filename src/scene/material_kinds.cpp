@@ -11,6 +11,8 @@
 
 namespace {
 
+constexpr std::size_t kCommonFields = 5;  // of materials of every kind
+
 /// A material with what no constructor takes.
 std::unique_ptr<Material> withPriority(std::unique_ptr<Material> material, int priority) {
   material->setPriority(priority);
@@ -30,7 +32,11 @@ std::vector<Field> SceneBuilder::readMaterialFields(MaterialBase& base, std::vec
   fields.push_back({"indexOfRefraction", &base.indexOfRefraction, false});
   fields.push_back({"priority", &base.priority, false});
   in_.readFields(owner, fields);
-  checkAbove(0, double(base.indexOfRefraction), fields[fields.size() - 2]);
+  const Field* const common = fields.data() + fields.size() - kCommonFields;
+  noteColor(base.diffuseColor, common[0]);
+  noteColor(base.transparentColor, common[1]);
+  noteColor(base.reflectiveColor, common[2]);
+  checkAbove(0, double(base.indexOfRefraction), common[3]);
   return fields;
 }
 
@@ -41,6 +47,8 @@ std::unique_ptr<Material> SceneBuilder::readPhong() {
   const std::vector<Field> fields = readMaterialFields(
       base, {{"specularColor", &specular, false}, {"exponent", &exponent, false}});
   checkAtLeast(0, double(exponent), fields[1]);
+  noteColor(specular, fields[0]);
+  noteExponent(specular, exponent, fields[1]);
   return withPriority(
       std::make_unique<PhongMaterial>(base.diffuseColor, specular, exponent, base.transparentColor,
                                       base.reflectiveColor, base.indexOfRefraction),
@@ -54,6 +62,8 @@ std::unique_ptr<Material> SceneBuilder::readBlinnPhong() {
   const std::vector<Field> fields = readMaterialFields(
       base, {{"specularColor", &specular, false}, {"exponent", &exponent, false}});
   checkAtLeast(0, double(exponent), fields[1]);
+  noteColor(specular, fields[0]);
+  noteExponent(specular, exponent, fields[1]);
   return withPriority(std::make_unique<BlinnPhongMaterial>(
                           base.diffuseColor, specular, exponent, base.transparentColor,
                           base.reflectiveColor, base.indexOfRefraction),
@@ -99,6 +109,7 @@ std::unique_ptr<Material> SceneBuilder::readWard() {
   checkAbove(0, double(grain.roughnessX), fields[1]);
   checkAbove(0, double(grain.roughnessY), fields[2]);
   checkNotZero(grain.tangent, fields[3]);
+  noteColor(specular, fields[0]);
   grain.tangent = rescaled(grain.tangent);
   return withPriority(
       std::make_unique<WardMaterial>(base.diffuseColor, specular, grain, base.transparentColor,

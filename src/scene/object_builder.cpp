@@ -72,7 +72,7 @@ const Object3D* SceneBuilder::readSphere() {
   Field fields[] = {{"center", &center}, {"radius", &radius}};
   const bool isGood = in_.readFields("Sphere", fields);
   if (!checkAbove(0, radius, fields[1]) || !isGood || !hasMaterial) return nullptr;
-  return keep(std::make_unique<Sphere>(center, radius, material_));
+  return keep(std::make_unique<Sphere>(center, radius, material_), at);
 }
 
 const Object3D* SceneBuilder::readPlane() {
@@ -98,11 +98,12 @@ const Object3D* SceneBuilder::readTriangle() {
   if (!triangle->hasArea() && ++flatTriangles_ <= kFlatTrianglesNamed) {
     warn(at, "the triangle has no area: it will not be seen");
   }
-  return keep(std::move(triangle));
+  return keep(std::move(triangle), at);
 }
 
 const Object3D* SceneBuilder::readTriangleMesh() {
-  const bool hasMaterial = checkMaterial("TriangleMesh", in_.at());
+  const char* const at = in_.at();
+  const bool hasMaterial = checkMaterial("TriangleMesh", at);
   in_.advance();
   std::string_view name;
   Field fields[] = {{"obj_file", &name}};
@@ -111,7 +112,7 @@ const Object3D* SceneBuilder::readTriangleMesh() {
   const MeshGeometry* const geometry = meshes_.find(name, isNew);
   if (!geometry || !hasMaterial) return nullptr;
   if (isNew) warnOfMesh(*geometry, fields[0].at);
-  return keep(std::make_unique<TriangleMesh>(geometry, material_));
+  return keep(std::make_unique<TriangleMesh>(geometry, material_), at);
 }
 
 void SceneBuilder::warnOfMesh(const MeshGeometry& geometry, const char* at) {

@@ -110,6 +110,7 @@ void SceneBuilder::readLights() {
 
 void SceneBuilder::readLight() {
   const std::string_view owner = in_.word();
+  const char* const at = in_.at();
   in_.advance();
   Vec3d place, attenuation(1, 0, 0);
   Vec3f color;
@@ -117,11 +118,13 @@ void SceneBuilder::readLight() {
     Field fields[] = {{"direction", &place}, {"color", &color}};
     const bool isGood = in_.readFields(owner, fields);
     if (!checkNotZero(place, fields[0]) || !isGood) return;
+    lightStarts_.push_back(at);
     scene_.lights_.push_back(std::make_unique<DirectionalLight>(rescaled(place), color));
   } else {
     Field fields[] = {
         {"position", &place}, {"color", &color}, {"attenuation", &attenuation, false}};
     if (!in_.readFields(owner, fields)) return;
+    lightStarts_.push_back(at);
     scene_.lights_.push_back(std::make_unique<PointLight>(place, color, attenuation));
   }
 }
@@ -132,6 +135,8 @@ void SceneBuilder::readBackground() {
   Field fields[] = {{"color", &scene_.backgroundColor_, false},
                     {"ambientLight", &scene_.ambientLight_, false}};
   in_.readFields("Background", fields);
+  noteColor(scene_.backgroundColor_, fields[0]);
+  noteColor(scene_.ambientLight_, fields[1]);
 }
 
 /// What can only be said once everything is read.
@@ -148,6 +153,7 @@ void SceneBuilder::finish() {
   if (!hasGroup_) warn(in_.at(), "the scene has no Group: nothing will be seen");
   scene_.meshFiles_ = meshes_.files();
   warnOfMoreFlatTriangles();
+  if (in_.mistakeCount() == 0) warnOfLikelyMistakes();
   std::stable_sort(warnings_.begin(), warnings_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& warning : warnings_) scene_.warnings_.push_back(std::move(warning.second));

@@ -94,8 +94,9 @@ class SceneBuilder {
   const Object3D* readPlane();
   const Object3D* readTriangle();
   const Object3D* readTriangleMesh();
+  /// `at` is where a Sphere, Triangle or TriangleMesh begins.
   template <class T>
-  const T* keep(std::unique_ptr<T> object);
+  const T* keep(std::unique_ptr<T> object, const char* at = nullptr);
   bool isTooDeep();
 
   // The inside of a Transform. `allowed` is what may stand there.
@@ -119,6 +120,16 @@ class SceneBuilder {
   bool checkNotZero(const Vec3d& vector, const Field& field);
   bool checkReflectance(const Vec3f& color, const Field& field);
   void warn(const char* at, const std::string& message);
+
+  // What is legal and probably a mistake. Of one kind only some are named and the rest counted.
+  template <class Item, class Warn>
+  void warnOfSome(const std::vector<Item>& items, const std::string& what, const Warn& warnOf);
+  void warnOfLikelyMistakes();
+  void warnOfUnseen(const std::vector<const Object3D*>& objects);
+  void warnOfUnusedMaterials();
+  void noteColor(const Vec3f& color, const Field& field);
+  void noteExponent(const Vec3f& specular, float exponent, const Field& field);
+  const char* placeOf(const Object3D& object) const;
   void warnOfMesh(const MeshGeometry& geometry, const char* at);
   void warnOfMoreFlatTriangles();
 
@@ -127,7 +138,18 @@ class SceneBuilder {
   MeshLibrary meshes_;
   std::vector<std::pair<std::size_t, std::string>> warnings_;  // with their place in the file
   const Material* material_ = nullptr;                         // the current one; not owned
+  std::size_t materialPlace_ = 0;                              // its place in the scene's list
   ObjectPlaces* places_ = nullptr;                             // null where nobody asks
+  /// A material as it stands in the file.
+  struct MaterialNote {
+    const char* at;
+    bool isUsed = false;
+    std::vector<std::size_t> parts;  // of a texture: places in the list
+  };
+  std::vector<MaterialNote> materialNotes_;  // for each material of the scene
+  std::vector<const char*> objectStarts_;    // for each object of the scene
+  std::vector<const char*> lightStarts_;     // for each light of the scene
+  std::vector<std::pair<const char*, std::string>> brightColors_, lowExponents_;
   int listedMaterials_ = 0;
   int depth_ = 0;
   std::size_t flatTriangles_ = 0;
@@ -141,8 +163,9 @@ class SceneBuilder {
 
 /// Gives the object to the scene.
 template <class T>
-const T* SceneBuilder::keep(std::unique_ptr<T> object) {
+const T* SceneBuilder::keep(std::unique_ptr<T> object, const char* at) {
   const T* const borrowed = object.get();
+  objectStarts_.push_back(at);
   scene_.objects_.push_back(std::move(object));
   return borrowed;
 }

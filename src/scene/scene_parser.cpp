@@ -24,12 +24,14 @@ SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places) {
 
 SceneParser::~SceneParser() = default;
 
-std::vector<InputError> SceneParser::check(const char* filename) {
+std::vector<InputError> SceneParser::check(const char* filename,
+                                           std::vector<std::string>* warnings) {
   MistakeLog log(MistakeLog::Mode::collect);
   try {
     const SourceText text = SourceText::read(filename);
     SceneParser scene;
     SceneBuilder(text, log, scene).build();
+    if (warnings && log.count() == 0) *warnings = scene.getWarnings();
   } catch (const InputError& unreadable) {
     return {unreadable};
   } catch (const MistakeLog::Full&) {
@@ -55,4 +57,5 @@ void SceneParser::findClosedMeshes() {
   for (const auto& mesh : meshes_) {
     if (wanted.count(mesh.get()) > 0) mesh->findWhetherClosed();
   }
+  solids_.emplace(group_);
 }

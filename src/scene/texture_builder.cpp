@@ -110,6 +110,7 @@ bool SceneBuilder::readPart(std::string_view owner, TextureWords& words) {
   if (index >= 0 && index < listedMaterials_) {
     const auto place = std::size_t(index);
     words.parts.push_back({scene_.materials_[place].get(), place});
+    materialNotes_.back().parts.push_back(place);
     return true;
   }
   if (areMaterialsSure_) {

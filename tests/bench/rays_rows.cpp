@@ -33,6 +33,9 @@ constexpr Figure kFigures[] = {
     {"diffuse, any", RayKind::diffuse, true, false},
 };
 
+/// A batch takes some 100 kB.
+constexpr std::size_t kStackBytes = 2 << 20;
+
 /// Traces tiles first .. end - 1 and returns how many rays hit.
 using TraceTiles = std::function<std::size_t(std::size_t first, std::size_t end)>;
 
@@ -42,7 +45,7 @@ double secondsToTrace(Clock clock, const RaySet& set, int threads, const TraceTi
   constexpr std::size_t kChunk = 16;
   std::atomic<std::size_t> next{0}, sum{0};
   const double seconds = secondsOf(clock, threads, [&] {
-    runOnThreads(threads, 0, [&](int) {
+    runOnThreads(threads, kStackBytes, [&](int) {
       std::size_t mine = 0;
       for (std::size_t first; (first = next.fetch_add(kChunk)) < set.tileCount();) {
         mine += trace(first, std::min(first + kChunk, set.tileCount()));

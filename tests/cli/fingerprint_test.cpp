@@ -24,8 +24,9 @@ Digest of(const std::string& words, const std::vector<std::string>& meshes = {},
 
 TEST("what changes no pixel leaves the fingerprint") {
   const Digest plain = of("");
-  for (const char* same : {"-threads 3", "-simd baseline", "-accel tree", "-quiet", "-stats",
-                           "-output b", "-input other.txt", "-checkpoint c"}) {
+  for (const char* same :
+       {"-threads 3", "-simd baseline", "-accel tree", "-quiet", "-stats", "-output b",
+        "-input other.txt", "-checkpoint c", "-progress", "-preview"}) {
     CHECK(of(same) == plain);
   }
   CHECK(of("-depth 1 2 d") == of("-depth e 1 2"));
@@ -66,9 +67,10 @@ TEST("each argument that may change a pixel changes the fingerprint, and so does
 
 TEST("an argument that is new is taken to change pixels until it is listed as one that does not") {
   const std::set<std::string> listed = {
-      "input", "output",  "depth",      "normals",     "render_samples", "render_filter",
-      "accel", "simd",    "threads",    "stats",       "quiet",          "check",
-      "help",  "version", "checkpoint", "memory_limit"};
+      "input",         "output",   "depth",   "normals", "render_samples",
+      "render_filter", "accel",    "simd",    "threads", "stats",
+      "quiet",         "check",    "help",    "version", "checkpoint",
+      "memory_limit",  "progress", "preview", "man",     "completion"};
   for (const OptionRow& row : optionTable()) {
     CHECK_EQUAL(changesPicture(row.name), listed.count(row.name) == 0);
   }

@@ -1,74 +1,13 @@
-// The command line: every argument, its limits, and the texts that list them.
+// The command line: every argument and its limits.
 #include "cli/options.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "check.h"
-#include "cli/option_table.h"
+#include "cli/command_words.h"
 #include "run_program.h"
 
-namespace {
-
-using Words = std::vector<std::string>;
-
-/// Parses a complete command that also has `words`.
-Options parse(const Words& words) {
-  const std::string name =
-      words.empty() ? ""
-                    : words[0].substr(std::min(words[0].size(), words[0].find_first_not_of('-')));
-  const OptionRow* row = findOption(name);
-  Words all = {"-input", "scene.txt", "-output", "out.tga"};
-  if (row && row->mode == OptionRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
-  if (row && row->mode == OptionRow::Mode::merging) all.clear();
-  all.insert(all.end(), words.begin(), words.end());
-  return parseOptions(all);
-}
-
-/// The message for a wrong command that begins with `words`; "" where it is right.
-std::string mistake(const Words& words) {
-  try {
-    parse(words);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-Words split(const std::string& text) {
-  std::istringstream in(text);
-  return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
-}
-
-/// The words that must be given beside an argument.
-Words companionsOf(const OptionRow& row) {
-  const bool drawsGrid = std::string(row.name).rfind("visualize_grid", 0) == 0;
-  if (std::string(row.name) == "pixel_obj") return {"-pixel", "1", "1"};
-  return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
-}
-
-/// Right words for an argument, from the names that the table gives them.
-Words sampleWords(const OptionRow& row) {
-  Words words = split(row.words);
-  for (std::string& word : words) {
-    if (word == "FILE") word = "file";
-    if (word == "NAME") word = "tree";
-    if (word == "LEVEL") word = "avx2";
-    const std::string numbers = " MB MIN N I W H E NX NY NZ P R SIGMA TOLERANCE ZOOM ";
-    if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
-    if (word == "X" || word == "Y") word = "0";
-    if (word == "NX" || word == "NY" || word == "NZ") word = "3";
-    if (word == "MAX") word = "2";
-  }
-  return words;
-}
-
-}  // namespace
+using check::contains, check::mistake, check::parse, check::split, check::Words;
 
 TEST("the course's exact command") {
   const Options o = parseOptions(split("-input scene.txt -output out.tga -bounces 5 -weight 0.01"));
@@ -96,113 +35,6 @@ TEST("defaults are those of the contract, and those that the table tells") {
   CHECK_EQUAL(findOption("weight")->defaultWords, std::string("0.01"));
   CHECK_EQUAL(findOption("accel")->defaultWords, std::string("fast"));
   CHECK_EQUAL(findOption("simd")->defaultWords, std::string("auto"));
-}
-
-TEST("limits in the help are the limits of the parser") {
-  CHECK(contains(findOption("bounces")->help, "to " + std::to_string(kMaxBounces)));
-  CHECK(contains(findOption("threads")->help, "to " + std::to_string(kMaxThreads)));
-  CHECK(contains(findOption("size")->help, "to " + std::to_string(kMaxImageSide)));
-  CHECK(contains(findOption("grid")->help, "to " + std::to_string(kMaxGridSide)));
-  CHECK(contains(findOption("grid")->help, "most " + std::to_string(kMaxGridCells)));
-}
-
-TEST("every argument of the contract is in the table") {
-  for (const char* name : {"input",
-                           "output",
-                           "size",
-                           "depth",
-                           "normals",
-                           "normal",
-                           "bounces",
-                           "weight",
-                           "shadows",
-                           "no_shadows",
-                           "transparent_shadows",
-                           "shade_back",
-                           "nested_dielectrics",
-                           "fresnel",
-                           "epsilon",
-                           "threads",
-                           "accel",
-                           "grid",
-                           "visualize_grid",
-                           "visualize_grid_count",
-                           "simd",
-                           "stats",
-                           "quiet",
-                           "check",
-                           "help",
-                           "version",
-                           "compare",
-                           "tolerance",
-                           "fail_percent",
-                           "csv",
-                           "region",
-                           "tile",
-                           "merge"})
-    CHECK(findOption(name) != nullptr);
-}
-
-TEST("every argument of the table is read under each name with one dash or two") {
-  for (const OptionRow& row : optionTable()) {
-    for (const char* name : {row.name, row.otherName}) {
-      if (!name) continue;
-      for (const char* dashes : {"-", "--"}) {
-        Words words = sampleWords(row);
-        words.insert(words.begin(), std::string(dashes) + name);
-        for (const std::string& word : companionsOf(row)) words.push_back(word);
-        CHECK_EQUAL(mistake(words), "");
-      }
-    }
-  }
-}
-
-TEST("every argument that misses its last word is a mistake that names it") {
-  for (const OptionRow& row : optionTable()) {
-    if (countWords(row) == 0) continue;
-    Words words = sampleWords(row);
-    words.insert(words.begin(), std::string("-") + row.name);
-    words.pop_back();
-    CHECK(contains(mistake(words), std::string("-") + row.name + ": expected " + row.words));
-    words.push_back("-quiet");
-    CHECK(contains(mistake(words), "found '-quiet'"));
-  }
-}
-
-TEST("the list of arguments has lines of at most 80 columns and names every argument once") {
-  const std::string list = optionList();
-  std::istringstream lines(list);
-  std::string line;
-  while (std::getline(lines, line)) CHECK(line.size() <= 80);
-  for (const OptionRow& row : optionTable()) {
-    const std::string name = std::string("\n  -") + row.name;
-    const std::string entry = name + (*row.words ? std::string(" ") + row.words : "");
-    CHECK(contains(list, entry));
-    CHECK(contains(fullHelp(), entry));
-    if (row.otherName) CHECK(contains(list, std::string(", -") + row.otherName));
-  }
-}
-
-TEST("README.txt shows the same list of arguments as -help") {
-  const std::string readme = check::contentOf(check::testsFolder() + "/../README.txt");
-  CHECK(contains(readme, optionList()));
-  CHECK(contains(fullHelp(), optionList()));
-  CHECK(contains(readme, "raytracer -input scene.txt -output out.tga -bounces 5 -weight 0.01"));
-}
-
-TEST("README.txt is plain ASCII with lines of at most 80 columns") {
-  std::istringstream lines(check::contentOf(check::testsFolder() + "/../README.txt"));
-  std::string line;
-  const auto isPlain = [](char c) { return c >= ' ' && c <= '~'; };
-  while (std::getline(lines, line)) {
-    const bool isGood = line.size() <= 80 && std::all_of(line.begin(), line.end(), isPlain);
-    CHECK_EQUAL(isGood ? "" : line, "");
-  }
-}
-
-TEST("the version is that of CMakeLists.txt") {
-  const std::string build = check::contentOf(check::testsFolder() + "/../CMakeLists.txt");
-  CHECK(contains(build, "project(raytracer VERSION " + split(versionText())[1] + " "));
 }
 
 TEST("arguments come in any order and the last of two equal ones wins") {
@@ -319,10 +151,10 @@ TEST("a scene and something to do with it are needed") {
   CHECK(contains(message("-output out.tga"), "-input"));
   CHECK(contains(message("-input scene.txt"),
                  "-output, -depth, -normals, -render_samples, -render_filter, -materials, "
-                 "-heatmap, -pixel, -stats and -check"));
-  for (const char* enough :
-       {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a", "-normal a",
-        "-render_samples a 2", "-render_filter a 2", "-materials a", "-heatmap a", "-pixel 1 1"})
+                 "-heatmap, -pixel, -preview, -stats and -check"));
+  for (const char* enough : {"-check", "-stats", "-output a", "-depth 1 2 a", "-normals a",
+                             "-normal a", "-render_samples a 2", "-render_filter a 2",
+                             "-materials a", "-heatmap a", "-pixel 1 1", "-preview"})
     CHECK_EQUAL(message((std::string("-input scene.txt ") + enough).c_str()), "");
   CHECK_EQUAL(message(""), "");
   CHECK_EQUAL(message("-help"), "");

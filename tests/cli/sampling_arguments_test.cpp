@@ -169,7 +169,7 @@ TEST("memory does not grow with the number of samples") {
   if (desk.run("-size 5 5 -output a", limit).status != 0) SKIP("so little memory is not enough");
   // 40 x 40 pixels with 2000 samples of 12 bytes each would be 38 megabytes; 30 are allowed.
   std::string nothing = check::smallScene();
-  nothing.replace(nothing.find("0 0 0 radius 1"), 14, "0 0 99 radius 1");
+  nothing.replace(nothing.find("0 0 0 radius 1"), 14, "0 99 0 radius 1");
   desk.write("scene.txt", nothing);
   const auto run =
       desk.run("-size 40 40 -threads 1 -random_samples 2000 -tent_filter 2 -output a", limit);

@@ -39,13 +39,14 @@ void checkOptions(const Options& o) {
                "an epsilon is >= 0");
   fuzz::demand(o.depthOutput.empty() || o.depthMin != o.depthMax, "MIN and MAX differ");
   fuzz::demand(std::isfinite(o.depthMin) && std::isfinite(o.depthMax), "MIN and MAX are finite");
-  if (o.help || o.version || o.shortHelp) return;
+  if (o.wantsText()) return;
   if (o.compare.isWanted() || o.merge.isWanted()) {
     fuzz::demand(o.input.empty() && o.output.empty(), "what compares or merges renders nothing");
     return;
   }
   fuzz::demand(!o.input.empty(), "there is a scene");
-  fuzz::demand(o.check || o.stats || o.tracesPixel || namesPicture(o), "there is something to do");
+  fuzz::demand(o.check || o.stats || o.preview || o.tracesPixel || namesPicture(o),
+               "there is something to do");
 }
 
 }  // namespace

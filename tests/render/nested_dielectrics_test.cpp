@@ -1,4 +1,5 @@
 // -nested_dielectrics: the media on both sides of a surface, by what a ray is inside of.
+#include <algorithm>
 #include <memory>
 
 #include "accel/compiled_scene.h"
@@ -171,7 +172,17 @@ TEST("layer within layer needs no priorities: the innermost fills its place") {
   checkLayers(Glasses({air, glass, water}), 4, layers);
 }
 
-TEST("of equal priority the one that the ray leaves first wins where objects overlap") {
+TEST("of equal priority the smaller one wins where objects overlap, from either side") {
+  const std::string cube = cubeFile();
+  // From 4 to 1.5 and from 3 to 1; the other way round, 1.25 is seen first.
+  const Glass large = {1.5, 7, slab(cube, 4, 1.5)}, small = {1.25, 7, slab(cube, 3, 1)};
+  checkLayers(Glasses({large, small}), 4, {{1.5, 1}, {1.25, 2}});
+  checkLayers(Glasses({small, large}), 4, {{1.5, 1}, {1.25, 2}});
+  const Glass turnedLarge = {1.5, 7, slab(cube, 3.5, 1)}, turnedSmall = {1.25, 7, slab(cube, 4, 2)};
+  checkLayers(Glasses({turnedLarge, turnedSmall}), 4, {{1.25, 2}, {1.5, 1}});
+}
+
+TEST("of equal priority and volume the one that the ray leaves first wins") {
   const std::string cube = cubeFile();
   checkLayers(Glasses({{1.5, 7, slab(cube, 4, 2)}, {1.25, 7, slab(cube, 3, 1)}}), 4,
               {{1.5, 2}, {1.25, 1}});
@@ -325,7 +336,7 @@ struct RandomBall {
   float index;
 };
 
-/// The ball of the largest priority, which is its place in the list, around `point`; -1: none.
+/// The last ball of the list, which is the strongest, around `point`; -1: none.
 int strongestAround(const std::vector<RandomBall>& balls, const Vec3d& point) {
   for (int i = int(balls.size()) - 1; i >= 0; --i) {
     const RandomBall& candidate = balls[std::size_t(i)];
@@ -365,6 +376,7 @@ bool isRightBend(const std::vector<RandomBall>& balls, const Ray& in, const Ray&
 
 TEST("random overlapping balls bend rays by the strongest ball on each side") {
   Random random(91);
+  // Every other time they differ in priority; else in size, and the smallest is the strongest.
   check::Cases cases;
   int bends = 0;
   for (int round = 0; round < 300; ++round) {
@@ -373,8 +385,15 @@ TEST("random overlapping balls bend rays by the strongest ball on each side") {
     for (int i = 0; i < 8; ++i) {
       balls.push_back(
           {random.inCube(-1, 1), random.uniform(0.3, 1.5), float(random.uniform(1, 2))});
-      list.push_back(
-          {balls.back().index, i * 3 - 10, ball(balls.back().center, balls.back().radius)});
+    }
+    const bool isBySize = round % 2 == 1;
+    if (isBySize) {
+      std::sort(balls.begin(), balls.end(),
+                [](const RandomBall& a, const RandomBall& b) { return a.radius > b.radius; });
+    }
+    for (int i = 0; i < 8; ++i) {
+      const RandomBall& b = balls[std::size_t(i)];
+      list.push_back({b.index, isBySize ? 5 : i * 3 - 10, ball(b.center, b.radius)});
     }
     const Glasses glasses(list);
     for (int k = 0; k < 20; ++k) {

@@ -1,0 +1,44 @@
+// Command lines in tests: words that parseOptions reads.
+#pragma once
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/desk.h"
+#include "cli/option_table.h"
+
+namespace check {
+
+using Words = std::vector<std::string>;
+
+/// Parses a complete command that also has `words`.
+inline Options parse(const Words& words) {
+  const std::string name =
+      words.empty() ? ""
+                    : words[0].substr(std::min(words[0].size(), words[0].find_first_not_of('-')));
+  const OptionRow* row = findOption(name);
+  Words all = {"-input", "scene.txt", "-output", "out.tga"};
+  if (row && row->mode == OptionRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
+  if (row && row->mode == OptionRow::Mode::merging) all.clear();
+  all.insert(all.end(), words.begin(), words.end());
+  return parseOptions(all);
+}
+
+/// The message for a wrong command that begins with `words`; "" where it is right.
+inline std::string mistake(const Words& words) {
+  try {
+    parse(words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline Words split(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
+}
+
+}  // namespace check
