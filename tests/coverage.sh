@@ -34,7 +34,7 @@ install_missing
 needs clang++ clang && needs llvm-cov llvm || fail 'clang++ and llvm-cov are needed.'
 start_report coverage
 counting='-fprofile-instr-generate -fcoverage-mapping -mllvm -runtime-counter-relocation'
-variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release \
+variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DTEST_SECONDS=3600 \
   -DCMAKE_CXX_FLAGS_RELEASE="-O1 $counting" || exit 1
 folder=$build/coverage
 find "$folder" -maxdepth 1 -name '*.profraw' -exec rm -f {} +
@@ -45,7 +45,7 @@ LLVM_PROFILE_FILE=$folder/%c%p.profraw
 export LLVM_PROFILE_FILE
 # A test that limits the size of files keeps its profile from being written, and reads a message
 # about it: whether all tests pass is told by the ordinary run.
-(cd "$folder" && ctest --timeout 3600 --output-on-failure) || say note 'not all tests passed'
+(cd "$folder" && ctest --output-on-failure) || say note 'not all tests passed'
 unset LLVM_PROFILE_FILE
 find "$folder" -maxdepth 1 -name '*.profraw' -size +0 >"$folder/profiles.txt"
 llvm-profdata merge -sparse -failure-mode=all -input-files="$folder/profiles.txt" \
