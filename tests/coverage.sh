@@ -33,17 +33,19 @@ at_least() {
 install_missing
 needs clang++ clang && needs llvm-cov llvm || fail 'clang++ and llvm-cov are needed.'
 start_report coverage
-variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_CXX_FLAGS_RELEASE='-O1 -fprofile-instr-generate -fcoverage-mapping' || exit 1
+counting='-fprofile-instr-generate -fcoverage-mapping -mllvm -runtime-counter-relocation'
+variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DPATIENCE=30 \
+  -DCMAKE_CXX_FLAGS_RELEASE="-O1 $counting" || exit 1
 folder=$build/coverage
 find "$folder" -maxdepth 1 -name '*.profraw' -exec rm -f {} +
-# A file for each process: one that several share is lost to all when a signal or a full disk cuts
-# it off, as tests do.
-LLVM_PROFILE_FILE=$folder/%p.profraw
+# A file for each process: one that several share is lost to all when a full disk cuts it off, as
+# tests do. %c: the counters are the file's memory, so that what runs before a signal or in its
+# handler counts.
+LLVM_PROFILE_FILE=$folder/%c%p.profraw
 export LLVM_PROFILE_FILE
 # A test that limits the size of files keeps its profile from being written, and reads a message
 # about it: whether all tests pass is told by the ordinary run.
-(cd "$folder" && ctest --timeout 3600 --output-on-failure) || say note 'not all tests passed'
+(cd "$folder" && ctest --output-on-failure) || say note 'not all tests passed'
 unset LLVM_PROFILE_FILE
 find "$folder" -maxdepth 1 -name '*.profraw' -size +0 >"$folder/profiles.txt"
 llvm-profdata merge -sparse -failure-mode=all -input-files="$folder/profiles.txt" \

@@ -55,12 +55,13 @@ struct CompiledScene::Content {
     Entry entry{};
     entry.object = object;
     entry.order = nextOrder++;
+    accel::MapNoise noise;
     if (const auto* mesh = accel::exactly<TriangleMesh>(object)) {
       addMesh(entry, *mesh, Entry::Kind::mesh);
     } else if (const auto* transform = accel::exactly<Transform>(object)) {
-      addTransform(entry, *transform, range.inside(*transform));
+      noise = addTransform(entry, *transform, range.inside(*transform));
     }
-    space.add(entry);
+    space.add(entry, noise);
   }
 
   void addMesh(Entry& entry, const TriangleMesh& mesh, Entry::Kind kind) {
@@ -69,9 +70,10 @@ struct CompiledScene::Content {
     entry.mesh = &treeOf(mesh.getGeometry());
   }
 
-  /// Where the Transform takes rays out of `range`, it stays plain.
-  void addTransform(Entry& entry, const Transform& transform, const RayRange& range) {
+  /// Where the Transform takes rays out of `range`, it stays plain. Returns its noise.
+  accel::MapNoise addTransform(Entry& entry, const Transform& transform, const RayRange& range) {
     const Object3D* inside = transform.getObject();
+    accel::MapNoise noise;
     if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
       addMesh(entry, *mesh, Entry::Kind::movedMesh);
       const bool isTree = entry.kind == Entry::Kind::movedMesh;
@@ -80,10 +82,13 @@ struct CompiledScene::Content {
       Space& space = spaces.emplace_back(kernels);
       add(space, inside, range);
       space.finish(threads);
-      if (!range.fits(space.bvh().scale)) return;
-      entry.kind = Entry::Kind::movedSpace;
-      entry.space = &space;
+      noise = space.noise();
+      if (range.fits(space.bvh().scale)) {
+        entry.kind = Entry::Kind::movedSpace;
+        entry.space = &space;
+      }
     }
+    return accel::noiseThrough(transform, noise);
   }
 
   const MeshTree& treeOf(const MeshGeometry& geometry) {

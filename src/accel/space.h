@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/map_noise.h"
 #include "accel/traversal.h"
 #include "accel/wide_bvh.h"
 #include "geometry/object3d.h"
@@ -62,7 +63,10 @@ class Space {
   explicit Space(const Kernels& kernels) : kernels_(&kernels) {}
 
   /// Appends an entry; finish() then sorts all entries into the tree.
-  void add(const Entry& entry) { entries_.push_back(entry); }
+  void add(const Entry& entry, const MapNoise& noise) {
+    entries_.push_back(entry);
+    noise_.add(noise);
+  }
   void finish(int threads);
 
   bool nearest(const Ray& ray, NearestQuery& query) const;
@@ -76,6 +80,7 @@ class Space {
 
   bool isBounded() const { return bounded_; }
   const BoundingBox& box() const { return box_; }
+  const MapNoise& noise() const { return noise_; }
   const WideBvh& bvh() const { return bvh_; }
   std::size_t size() const { return entries_.size(); }
   const Entry& entry(std::uint32_t id) const { return entries_[id]; }
@@ -103,6 +108,7 @@ class Space {
   std::vector<std::uint32_t> direct_;  // entries that are asked one by one
   WideBvh bvh_;
   BoundingBox box_;
+  MapNoise noise_;  // of all entries
   bool bounded_ = true;
 };
 

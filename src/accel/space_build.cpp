@@ -138,6 +138,17 @@ class SpaceLeafWriter : public LeafWriter {
   const WideBvh& bvh_;
 };
 
+/// Noise beyond this leaves everything open, and is still held by all numbers made of it.
+double limitedNoise(double noise) { return noise < 0x1p60 ? noise : 0x1p60; }
+
+/// Notes the noise for origins that are measured from the anchor, in normalised units.
+void setNoise(const MapNoise& noise, WideBvh& bvh) {
+  const double anchor =
+      std::max({std::fabs(bvh.anchor[0]), std::fabs(bvh.anchor[1]), std::fabs(bvh.anchor[2])});
+  bvh.noiseFactor = 1 + limitedNoise(noise.perSize);
+  bvh.noise = limitedNoise((noise.perSize * anchor + noise.fixed) * bvh.scale);
+}
+
 BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, LeafKind kind) {
   BuildItem item{};
   for (int axis = 0; axis < 3; ++axis) {
@@ -177,6 +188,7 @@ void Space::finish(int threads) {
   for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = middle[axis];
   const double longest = std::max(box_.longestSide(), std::numeric_limits<double>::min());
   bvh_.scale = std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000));
+  setNoise(noise_, bvh_);
   BuildItems items(inTree.size());
   for (std::size_t i = 0; i < inTree.size(); ++i) {
     items.add(itemOf(boxes[i], bvh_, inTree[i], leafKindOf(entries_[inTree[i]])));

@@ -140,6 +140,31 @@ TEST("-csv adds a row for each pair below one heading, and refuses other files")
   CHECK_EQUAL(check::contentOf(desk.file("notes.txt")), "my notes\n");
 }
 
+TEST("-csv has every column for what is alone, of another size or unreadable") {
+  const Desk desk;
+  for (const char* name : {"e/alone.png", "e/size.png", "e/bad.png"}) desk.put(name, greys(0, 0));
+  desk.put("a/size.png", Image(10, 11));
+  desk.write("a/bad.png", "broken");
+  CHECK_EQUAL(desk.status("e a -csv t.csv"), 3);
+  const std::string table = check::contentOf(desk.file("t.csv"));
+  checkContains(table, "\r\nalone.png,e/alone.png,,missing,,,,");
+  checkContains(table, "\r\nbad.png,e/bad.png,a/bad.png,unreadable,");
+  checkContains(table, "\r\nsize.png,e/size.png,a/size.png,different,10,10,10,11,,");
+  CHECK_EQUAL(std::count(table.begin(), table.end(), ','), 4 * 19);  // 20 columns, four rows
+}
+
+TEST("a report shows what is alone before other sizes, and these before other pixels") {
+  const Desk desk;
+  for (const char* name : {"e/1.png", "e/2.png", "e/3.png"}) desk.put(name, greys(0, 0));
+  desk.put("a/1.png", greys(90, 90));
+  desk.put("a/2.png", Image(10, 11));
+  CHECK_EQUAL(desk.status("e a -report r.html"), 1);
+  const std::string page = check::contentOf(desk.file("r.html"));
+  checkContains(page, "3.png: missing</h2>");
+  CHECK(page.find("3.png: missing</h2>") < page.find("2.png: different</h2>"));
+  CHECK(page.find("2.png: different</h2>") < page.find("1.png: different</h2>"));
+}
+
 TEST("the report is one page with the worst first, names escaped, and nothing from outside") {
   const Desk desk;
   const std::string evil = "<img src=x onerror=alert(1)>&'\".png";
@@ -182,11 +207,15 @@ TEST("a table of commands is rendered and compared with a folder") {
   CHECK(!std::filesystem::exists(desk.file("one.png")));
   desk.put("e/three.tga", greys(0, 0));
   CHECK_EQUAL(desk.status("e t/table.txt"), 1);
+  desk.write("t/table.txt", "four.tga -input ../scene.txt\n");
+  checkContains(desk.run("e t/table.txt").output, "unexpected: four.tga: no expected picture\n");
   desk.write("t/table.txt", "three.tga -input none.txt\n");
   CHECK_EQUAL(desk.status("e t/table.txt"), 3);
-  for (const char* wrong : {"-input ../scene.txt\n", "a.png -input x -bounces x\n", "a.png 'b\n",
-                            "a.png -input x -stats\n", "a.png -compare x y\n",
-                            "a.png -input x\na.png -input x\n", "a.png -input x -output b\n"}) {
+  for (const char* wrong :
+       {"-input ../scene.txt\n", "a.png -input x -bounces x\n", "a.png 'b\n",
+        "a.png -input x -stats\n", "a.png -input x -check\n", "a.png -input x -pixel 0 0\n",
+        "a.png -input x -preview\n", "a.png -input -\n", "'' -input x\n", "a.png -compare x y\n",
+        "a.png -input x\na.png -input x\n", "a.png -input x -output b\n"}) {
     desk.write("t/table.txt", wrong);
     const check::ProgramRun failed = desk.run("e t/table.txt");
     check::report(failed.status == 2, __FILE__, __LINE__, wrong);

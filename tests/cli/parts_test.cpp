@@ -142,6 +142,25 @@ TEST("missing pixels and overlaps are named with their files") {
   CHECK(contains(refusal(desk, "a.tga a.tga"), "found rows 0 to 8 in both"));
 }
 
+TEST("missing pixels beside several parts are named once") {
+  const Desk desk;
+  CHECK_EQUAL(desk.run(std::string(kSize) + "-output a.tga -region 0 0 7 5").status, 0);
+  CHECK_EQUAL(desk.run(std::string(kSize) + "-output b.tga -region 0 5 7 8").status, 0);
+  CHECK_EQUAL(refusal(desk, "a.tga b.tga"),
+              "raytracer: no part holds pixels 7 to 19 of rows 0 to 12; -region 7 0 13 13 renders "
+              "them\n");
+}
+
+TEST("of many mistakes twenty are named and the others counted") {
+  const Desk desk;
+  std::string parts;
+  for (int i = 0; i < 25; ++i) parts += " none" + std::to_string(i) + ".tga";
+  const std::string message = refusal(desk, parts);
+  CHECK(contains(message, "none19.tga: cannot be read"));
+  CHECK(!contains(message, "none20.tga"));
+  CHECK(contains(message, "raytracer: and 5 more mistakes\n"));
+}
+
 TEST("parts of another picture are refused: another scene, mesh, argument or size") {
   const Desk desk;
   desk.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -199,6 +218,7 @@ TEST("an output that cannot be written is status 1, wrong usage 2") {
   CHECK_EQUAL(desk.run("-merge none/m.tga p1.tga").status, 1);
   CHECK_EQUAL(desk.run("-merge p1.tga p1.tga").status, 2);
   CHECK_EQUAL(desk.run("-merge m.tga").status, 2);
+  CHECK_EQUAL(desk.run("-merge m.tga ''").status, 2);
   CHECK_EQUAL(desk.run("-merge m.tga p1.tga -bounces 3").status, 2);
   CHECK_EQUAL(desk.run("-quiet -merge m.tga p1.tga -threads 2").status, 0);
 }
@@ -233,4 +253,11 @@ TEST("a region lies in the picture, and a picture has no more tiles than rows") 
   CHECK(contains(mistake({"-tile", "5", "4"}), "a whole number from 1 to 4 for I"));
   CHECK(contains(mistake({"-tile", "1", "1", "-region", "0", "0", "1", "1"}), "together"));
   CHECK(contains(mistake({"-tile", "1", "1", "-render_samples", "s", "2"}), "-render_samples"));
+  CHECK(contains(mistake({"-tile", "1", "1", "-render_filter", "f", "2"}), "-render_filter"));
+  for (const std::vector<std::string>& inspection : std::vector<std::vector<std::string>>{
+           {"-materials", "m"}, {"-heatmap", "h"}, {"-pixel", "0", "0"}}) {
+    std::vector<std::string> words = {"-region", "0", "0", "1", "1"};
+    words.insert(words.end(), inspection.begin(), inspection.end());
+    CHECK(contains(mistake(words), "-region cannot be given together with -materials"));
+  }
 }

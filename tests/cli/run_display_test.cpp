@@ -38,6 +38,10 @@ TEST("the line of progress tells percent, rays per second and the time left") {
   CHECK_EQUAL(progressText(250, 1000, 2), " 25 %, 125 eye rays/s, 6.0 s left");
   CHECK_EQUAL(progressText(5e6, 1e7, 20), " 50 %, 250.0 k eye rays/s, 20 s left");
   CHECK_EQUAL(progressText(1e7, 1e7, 5), "100 %, 2.00 M eye rays/s, 5.0 s");
+  // 100 in 100 s, 600 more to go; 100 s are 1.67 minutes; a hundredth in 6 minutes is 9.9 hours.
+  CHECK_EQUAL(progressText(100, 700, 100), " 14 %, 1 eye rays/s, 10 min left");
+  CHECK_EQUAL(progressText(1000, 1000, 100), "100 %, 10 eye rays/s, 2 min");
+  CHECK(contains(progressText(1, 100, 360), ", 9.9 h left"));
   CHECK(contains(progressText(999999, 1e6, 1), "99 %"));
   CHECK(contains(progressText(0, 1e6, 0), "  0 %"));
 }

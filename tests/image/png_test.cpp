@@ -222,6 +222,9 @@ TEST("chunk order and lengths are checked") {
   checkFault(png({grey, row, chunk("IEND", {1})}), "empty IEND");
   checkFault(png({grey, row}), "chunk length");
   checkFault(png({grey, palette, row, end()}), "no PLTE chunk in a grey image");
+  const Bytes greyAlpha = header(1, 1, 8, 4), transparency = chunk("tRNS", {0, 5});
+  checkFault(png({greyAlpha, palette, imageData({0, 5, 5}), end()}), "no PLTE chunk in a grey");
+  checkFault(png({grey, transparency, transparency, row, end()}), "one tRNS");
   checkFault(png({indexed, index, end()}), "expected PLTE before IDAT");
   checkFault(png({indexed, palette, palette, index, end()}), "one PLTE");
   checkFault(png({indexed, palette, index, palette, end()}), "one PLTE");
@@ -252,6 +255,17 @@ TEST("more or less data than the picture needs is an error") {
   Bytes badSum = pack({0, 5});
   badSum.back() ^= 1;
   checkFault(png({header(1, 1, 8, 0), chunk("IDAT", badSum), end()}), "Adler-32");
+}
+
+TEST("compression and filter methods other than 0 are an error") {
+  // Width 1, height 1, 8 bits, grey; then compression, filter and interlace method.
+  const auto picture = [](std::uint8_t compression, std::uint8_t filter) {
+    const Bytes head = {0, 0, 0, 1, 0, 0, 0, 1, 8, 0, compression, filter, 0};
+    return png({chunk("IHDR", head), imageData({0, 5}), end()});
+  };
+  CHECK_EQUAL(faultOf(picture(0, 0)), "");
+  checkFault(picture(1, 0), "expected compression and filter method 0, found 1 and 0");
+  checkFault(picture(0, 2), "expected compression and filter method 0, found 0 and 2");
 }
 
 TEST("what is not supported says so") {

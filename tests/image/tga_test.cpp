@@ -200,7 +200,7 @@ TEST("a colour map has entries of 15, 16, 24 or 32 bits, and begins at its first
   }
 }
 
-TEST("colour indices may have 16 bits") {
+TEST("colour indices may have 16 bits, but no more") {
   Variant v;
   v.type = 1;
   v.depth = 16;
@@ -210,6 +210,8 @@ TEST("colour indices may have 16 bits") {
   v.mapDepth = 24;
   v.rest = {1, 2, 3, 0x01, 0x02};
   CHECK_EQUAL(shown(decode(v)), "3 2 1");
+  v.depth = 24;
+  CHECK(contains(messageOf(v), "expected 8 or 16 bits per colour index, found 24"));
 }
 
 TEST("a colour index outside the map is an error") {
