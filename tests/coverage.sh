@@ -34,7 +34,7 @@ install_missing
 needs clang++ clang && needs llvm-cov llvm || fail 'clang++ and llvm-cov are needed.'
 start_report coverage
 counting='-fprofile-instr-generate -fcoverage-mapping -mllvm -runtime-counter-relocation'
-variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DTEST_SECONDS=3600 \
+variant coverage all -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DPATIENCE=30 \
   -DCMAKE_CXX_FLAGS_RELEASE="-O1 $counting" || exit 1
 folder=$build/coverage
 find "$folder" -maxdepth 1 -name '*.profraw' -exec rm -f {} +

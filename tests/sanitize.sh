@@ -9,7 +9,7 @@ root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 # sanitized NAME SANITIZERS: builds everything with them; the first finding ends a program.
 sanitized() {
   echo "building sanitize/$1"
-  variant "sanitize/$1" all -DCMAKE_BUILD_TYPE=Release -DTEST_SECONDS=3600 \
+  variant "sanitize/$1" all -DCMAKE_BUILD_TYPE=Release -DPATIENCE=30 \
     -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g -fno-omit-frame-pointer $2" && return 0
   say FAILED "$1: the build"
   return 1

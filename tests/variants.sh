@@ -32,10 +32,15 @@ start_report() {
   mkdir -p "$build/$1" && : >"$report"
 }
 
-# Shows the report again and ends the script: status 1 where anything failed.
+# Shows the report again, with a last line that counts, and ends the script: status 1 where
+# anything failed or differs.
 end_report() {
   printf '\n'
   cat "$report"
-  ! grep -q '^FAILED' "$report"
+  failed=$(grep -c -e '^FAILED' -e '^differs' "$report")
+  left_out=$(grep -c '^left out' "$report")
+  passed=$(($(grep -c . "$report") - failed - left_out))
+  echo "$passed passed, $failed failed, $left_out skipped"
+  [ "$failed" -eq 0 ]
   exit $?
 }

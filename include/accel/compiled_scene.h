@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "accel/test_tally.h"
 #include "geometry/object3d.h"
 
 /// Which instruction set the kernels use.
@@ -18,7 +19,9 @@ class CompiledScene : public Object3D {
  public:
   /// Compiles everything below `root` with `threads` >= 1 threads. `root` and what it holds are
   /// not owned, must outlive the compiled scene and must not change any more.
-  CompiledScene(const Object3D& root, int threads, SimdLevel simd = SimdLevel::automatic);
+  /// Where `tally` is not null, it is told what each answer takes; it is not owned.
+  CompiledScene(const Object3D& root, int threads, SimdLevel simd = SimdLevel::automatic,
+                TestTally* tally = nullptr);
   ~CompiledScene() override;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;

@@ -2,10 +2,11 @@
 // It gives exactly the answers of the objects it was made from: same t, material, normal.
 //
 // Each cell lists the spheres, the triangles and the faces of meshes, inside Transforms too, whose
-// box in the world overlaps it; a ray asks the cells it passes, one after the other, and stops
-// where no later cell can hold anything nearer. Boxes are wider than the objects by a bound on all
-// rounding, so that no hit is lost; what has no bounds, or numbers too extreme for that, is asked
-// one by one, and so is everything by a ray from more than a thousand sizes of the scene away.
+// surface in the world has a part in it (of spheres that Transforms squash, the box); a ray asks
+// the cells it passes, one after the other, and stops where no later cell can hold anything nearer.
+// Cells count as wider by a bound on all rounding, so that no hit is lost; what has no bounds, or
+// numbers too extreme for that, is asked one by one, and so is everything by a ray from more than a
+// thousand sizes of the scene away.
 #pragma once
 #include <memory>
 #include <string>

@@ -30,6 +30,17 @@ struct CellRange {
   double count() const;
 };
 
+/// Calls visit(cell) for every cell of the range, in the order of GridFrame::indexOf.
+template <class Visit>
+void forEachCell(const CellRange& range, const Visit& visit) {
+  GridSize cell{};
+  for (cell[2] = range.first[2]; cell[2] <= range.last[2]; ++cell[2]) {
+    for (cell[1] = range.first[1]; cell[1] <= range.last[1]; ++cell[1]) {
+      for (cell[0] = range.first[0]; cell[0] <= range.last[0]; ++cell[0]) visit(cell);
+    }
+  }
+}
+
 class GridFrame {
  public:
   /// Divides `box`, which is not empty and has finite corners. A side that is thinner than 2^-10
@@ -46,6 +57,7 @@ class GridFrame {
 
   /// Where plane `number` (0..size) stands on `axis`: the lower side of the cell of that number.
   double plane(int axis, int number) const { return low_[axis] + side_[axis] * number; }
+  BoundingBox boxOf(const GridSize& cell) const;
   /// The number of the cell that holds x, the nearest one where x lies outside.
   int cellAt(int axis, double x) const;
 

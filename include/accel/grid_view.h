@@ -10,12 +10,14 @@
 
 class GridView : public Object3D {
  public:
-  /// Divides the box of all bounded objects below `root` into cells. A cell is occupied where the
-  /// world box of a sphere, a triangle or a face of a mesh has a part in it; one that only touches
-  /// its side does not count. A cell of n objects is drawn in palette[n - 1], the last colour
-  /// standing for all larger n. The palette is not empty; its materials are not owned. Time and
-  /// memory grow with the objects and the cells, not with their product.
-  GridView(const Object3D& root, const GridSize& size, std::vector<const Material*> palette);
+  /// Divides the box of all bounded objects below `root` into cells. A cell is occupied where a
+  /// solid ball, a triangle or a face of a mesh has a part in it; what only touches its side does
+  /// not count. A ball that Transforms squash counts with its whole box. So does everything where
+  /// all boxes together overlap more than `mostTests` cells: time and memory grow with the objects
+  /// and the cells, not with their product. A cell of n objects is drawn in palette[n - 1], the
+  /// last colour standing for all larger n. The palette is not empty; its materials are not owned.
+  GridView(const Object3D& root, const GridSize& size, std::vector<const Material*> palette,
+           double mostTests = 0x1p26);
 
   /// Nothing where the scene has no bounded object.
   const std::optional<GridFrame>& frame() const { return frame_; }
@@ -30,8 +32,8 @@ class GridView : public Object3D {
   bool isBounded() const override { return true; }
 
  private:
-  void count(const BoundingBox& box);
-  void sumCounts();
+  void countCorners(const CellRange& range);
+  void sumCorners();
 
   std::vector<const Material*> palette_;  // not owned
   BoundingBox box_;

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 struct TestCounts {
-  std::uint64_t nodes = 0;       ///< groups and Transforms entered, or cells of a grid visited
+  std::uint64_t nodes = 0;       ///< of trees, groups and Transforms entered, or cells visited
   std::uint64_t primitives = 0;  ///< spheres, planes, triangles and faces of meshes tested
 
   void add(const TestCounts& other) {

@@ -23,10 +23,14 @@ Image decodePng(const Bytes& bytes, const std::string& name);
 /// Reads a file by decodePng. Throws ImageError.
 Image readPng(const std::string& path);
 
-/// A PNG file of 8 bits per sample, RGB, not interlaced, each row filtered so that it compresses
-/// well: with PngEffort::automatic by trial up to 2^19 pixels, which takes some 10 microseconds a
-/// pixel, beyond that, and with PngEffort::quick, by the least sum of differences. The bytes
-/// depend on nothing but the arguments. Sides are at least 1.
+/// A PNG file of 8 bits per sample, not interlaced: with a palette where there are at most 256
+/// colours (and the palette costs less than it saves), else RGB. Rows are filtered so that they
+/// compress well. With PngEffort::automatic the filter of each row is found by trial up to 2^19
+/// pixels, which takes about 1.5 microseconds a pixel; beyond that one filter is tried for a
+/// megabyte at a time, and copies are searched for less far, which takes about 0.8. With
+/// PngEffort::quick filters are chosen by the least sum of differences. Besides the picture, memory
+/// is asked for a few megabytes of it at a time. The bytes depend on nothing but the arguments.
+/// Sides are at least 1.
 enum class PngEffort { automatic, quick };
 Bytes encodePng(const Image& image, PngEffort effort = PngEffort::automatic);
 

@@ -21,3 +21,4 @@ static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<float
               "float and double must be IEC 60559 (IEEE 754) binary32 and binary64");
 static_assert(FLT_EVAL_METHOD == 0,
               "sums and products must be rounded to their own type (for x87: -mfpmath=sse -msse2)");
+static_assert(sizeof(1.0) == sizeof(double), "build without -fsingle-precision-constant");

@@ -2,6 +2,7 @@
 // Every other pointer to a camera, light, material, object or mesh is borrowed from here.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "geometry/group.h"
 #include "geometry/mesh_geometry.h"
 #include "scene/input_error.h"
+#include "scene/solid_objects.h"
 #include "shading/light.h"
 #include "shading/material.h"
 
@@ -55,10 +57,12 @@ class SceneParser {
   /// The longest side of the world box of all spheres and triangles; 0 where there are none.
   double getSpan() const;
 
-  /// Finds out which meshes enclose a volume. Needed once, before rendering with
-  /// RenderOptions::transparentShadows, nestedDielectrics or fresnel; looks only at meshes of
-  /// transparent material.
+  /// Finds out which meshes of transparent material enclose a volume, and lists all such solids.
+  /// Needed once, before rendering with
+  /// RenderOptions::transparentShadows, nestedDielectrics or fresnel.
   void findClosedMeshes();
+  /// What findClosedMeshes has listed; null before.
+  const SolidObjects* getSolids() const { return solids_ ? &*solids_ : nullptr; }
 
  private:
   friend class SceneBuilder;  // fills the vectors below while reading
@@ -72,6 +76,7 @@ class SceneParser {
   std::vector<std::unique_ptr<Object3D>> objects_;
   std::vector<std::unique_ptr<MeshGeometry>> meshes_;
   Group group_;
+  std::optional<SolidObjects> solids_;
   std::vector<std::string> meshFiles_;
   std::vector<std::string> warnings_;
 };

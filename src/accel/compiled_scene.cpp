@@ -38,8 +38,10 @@ const Kernels& kernelsOf(SimdLevel level) {
 }  // namespace
 
 struct CompiledScene::Content {
-  Content(SimdLevel level, int threadCount)
-      : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {}
+  Content(SimdLevel level, int threadCount, TestTally* tally)
+      : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {
+    kernels.tally = tally;
+  }
 
   /// Adds `object` and all below it to `space`, where rays are within `range`. The depth of
   /// recursion is the scene's nesting.
@@ -95,7 +97,7 @@ struct CompiledScene::Content {
     return meshTrees.emplace(&geometry, MeshTree(geometry, threads)).first->second;
   }
 
-  const Kernels& kernels;
+  Kernels kernels;
   const int threads;
   std::uint32_t nextOrder = 0;
   std::map<const MeshGeometry*, MeshTree> meshTrees;
@@ -124,8 +126,9 @@ const char* nameOf(SimdLevel level) {
   return kNames[int(level)];
 }
 
-CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd) : root_(&root) {
-  auto content = std::make_unique<Content>(availableSimd(simd), threads);
+CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd, TestTally* tally)
+    : root_(&root) {
+  auto content = std::make_unique<Content>(availableSimd(simd), threads, tally);
   content->add(content->root, &root, {});
   content->root.finish(threads);
   content_ = std::move(content);

@@ -34,6 +34,11 @@ std::size_t GridFrame::cellCount() const {
   return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
 }
 
+BoundingBox GridFrame::boxOf(const GridSize& cell) const {
+  return {{plane(0, cell[0]), plane(1, cell[1]), plane(2, cell[2])},
+          {plane(0, cell[0] + 1), plane(1, cell[1] + 1), plane(2, cell[2] + 1)}};
+}
+
 int GridFrame::cellAt(int axis, double x) const {
   const double number = std::floor((x - low_[axis]) / side_[axis]);
   return number > 0 ? int(std::min(number, double(size_[axis] - 1))) : 0;  // 0 for NaN

@@ -7,20 +7,6 @@
 namespace accel {
 namespace {
 
-/// Calls visit(index) for every cell of the range.
-template <class Visit>
-void forEachCell(const GridFrame& frame, const CellRange& range, const Visit& visit) {
-  GridSize cell = range.first;
-  for (cell[2] = range.first[2]; cell[2] <= range.last[2]; ++cell[2]) {
-    for (cell[1] = range.first[1]; cell[1] <= range.last[1]; ++cell[1]) {
-      cell[0] = range.first[0];
-      const std::size_t first = frame.indexOf(cell);
-      const std::size_t count = std::size_t(range.last[0] - range.first[0]) + 1;
-      for (std::size_t index = first; index < first + count; ++index) visit(index);
-    }
-  }
-}
-
 BoundingBox widened(const BoundingBox& box, double margin) {
   const Vec3d margins(margin, margin, margin);
   return {box.low() - margins, box.high() + margins};
@@ -84,12 +70,30 @@ void GridLists::chooseFrame(const GridSize& size, double mostEntries) {
   }
 }
 
+/// For each cell that the box of each item touches, whether a surface of the item, moved by at most
+/// its margin, may be in it: found once, for it takes longer than the rest.
+std::vector<bool> GridLists::findMeetings() const {
+  std::vector<bool> meetings;
+  for (std::uint32_t number = 0; number < items_.size(); ++number) {
+    const PlacedObject& object = *item(number).object;
+    const PartShape shape = run_ == 1 ? parts_.shapeOf(object, items_[number].first) : PartShape();
+    forEachCell(frame_->touchedBy(widenedBox(number)), [&](const GridSize& cell) {
+      const BoundingBox box = widened(frame_->boxOf(cell), object.margin);
+      meetings.push_back(shape.meets(box) && !shape.surrounds(box));
+    });
+  }
+  return meetings;
+}
+
 void GridLists::fill() {
   starts_.assign(frame_->cellCount() + 1, 0);
+  const std::vector<bool> meetings = findMeetings();
   const auto forEachEntry = [&](const auto& visit) {
+    auto meeting = meetings.begin();
     for (std::uint32_t number = 0; number < items_.size(); ++number) {
-      forEachCell(*frame_, frame_->touchedBy(widenedBox(number)),
-                  [&](std::size_t index) { visit(index, number); });
+      forEachCell(frame_->touchedBy(widenedBox(number)), [&](const GridSize& cell) {
+        if (*meeting++) visit(frame_->indexOf(cell), number);
+      });
     }
   };
   forEachEntry([&](std::size_t index, std::uint32_t) { ++starts_[index]; });

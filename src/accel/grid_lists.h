@@ -1,4 +1,4 @@
-// GridLists: for each cell the items whose boxes overlap it.
+// GridLists: for each cell the items whose surface may be met in it.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -40,6 +40,7 @@ class GridLists {
   void listItems(double most);
   BoundingBox widenedBox(std::uint32_t number) const;
   void chooseFrame(const GridSize& size, double mostEntries);
+  std::vector<bool> findMeetings() const;
   void fill();
 
   const GridParts& parts_;

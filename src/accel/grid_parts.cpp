@@ -14,6 +14,8 @@
 
 #include "accel/exact_type.h"
 #include "geometry/group.h"
+#include "geometry/sphere.h"
+#include "geometry/triangle.h"
 
 namespace accel {
 namespace {
@@ -168,6 +170,20 @@ BoundingBox GridParts::boxOf(const PlacedObject& object, std::uint32_t first,
     }
   }
   return box;
+}
+
+PartShape GridParts::shapeOf(const PlacedObject& object, std::uint32_t part) const {
+  const Matrix& matrix = toWorld(object.space);
+  if (const auto* sphere = exactly<Sphere>(object.object)) {
+    return PartShape::ball(matrix, sphere->getCenter(), sphere->getRadius());
+  }
+  const auto* triangle = exactly<Triangle>(object.object);
+  if (!object.mesh && !triangle) return {};
+  const auto corner = [&](int number) {
+    return matrix.transformPoint(triangle ? triangle->getVertex(number)
+                                          : object.mesh->getGeometry().corner(part, number));
+  };
+  return PartShape::triangle(corner(0), corner(1), corner(2));
 }
 
 }  // namespace accel

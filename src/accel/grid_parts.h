@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/part_shape.h"
 #include "geometry/transform.h"
 #include "geometry/triangle_mesh.h"
 
@@ -45,6 +46,9 @@ class GridParts {
   const BoundingBox& box() const { return box_; }
   /// The world box of parts [first, last) of an object, without its margin.
   BoundingBox boxOf(const PlacedObject& object, std::uint32_t first, std::uint32_t last) const;
+
+  /// The shape of part `part` in the world, without its margin.
+  PartShape shapeOf(const PlacedObject& object, std::uint32_t part) const;
 
   /// The margins hold for rays whose origin has no larger coordinate; beyond that they grow in
   /// proportion to it.

@@ -16,39 +16,56 @@ std::size_t indexIn(const GridSize& size, const GridSize& cell) {
          std::size_t(cell[0]);
 }
 
+CellRange allOf(const GridSize& size) {
+  return {{0, 0, 0}, {size[0] - 1, size[1] - 1, size[2] - 1}};
+}
+
+/// Calls visit(object, part) for all parts of all objects.
 template <class Visit>
-void forEachCell(const GridSize& size, const Visit& visit) {
-  GridSize cell;
-  for (cell[2] = 0; cell[2] < size[2]; ++cell[2]) {
-    for (cell[1] = 0; cell[1] < size[1]; ++cell[1]) {
-      for (cell[0] = 0; cell[0] < size[0]; ++cell[0]) visit(cell);
-    }
+void forEachPart(const accel::GridParts& parts, const Visit& visit) {
+  for (const accel::PlacedObject& object : parts.placed()) {
+    for (std::uint32_t part = 0; part < object.partCount(); ++part) visit(object, part);
   }
 }
 
 }  // namespace
 
-GridView::GridView(const Object3D& root, const GridSize& size, std::vector<const Material*> palette)
+GridView::GridView(const Object3D& root, const GridSize& size, std::vector<const Material*> palette,
+                   double mostTests)
     : palette_(std::move(palette)) {
   const accel::GridParts parts(root);
   box_ = parts.box();
   if (box_.isEmpty()) return;
   frame_.emplace(box_, size);
+  const auto rangeOf = [&](const accel::PlacedObject& object, std::uint32_t part) {
+    return frame_->overlappedBy(parts.boxOf(object, part, part + 1));
+  };
+  double tests = 0;
+  forEachPart(parts, [&](const auto& object, std::uint32_t part) {
+    tests += rangeOf(object, part).count();
+  });
+  const auto shapeOf = [&](const accel::PlacedObject& object, std::uint32_t part) {
+    return tests <= mostTests ? parts.shapeOf(object, part) : accel::PartShape();
+  };
   const GridSize corners = grown(size);
   counts_.resize(std::size_t(corners[0]) * std::size_t(corners[1]) * std::size_t(corners[2]));
-  for (const accel::PlacedObject& object : parts.placed()) {
-    for (std::uint32_t part = 0; part < object.partCount(); ++part) {
-      count(parts.boxOf(object, part, part + 1));
-    }
-  }
-  sumCounts();
+  forEachPart(parts, [&](const auto& object, std::uint32_t part) {
+    if (!shapeOf(object, part).isKnown()) countCorners(rangeOf(object, part));
+  });
+  sumCorners();
+  forEachPart(parts, [&](const auto& object, std::uint32_t part) {
+    const accel::PartShape shape = shapeOf(object, part);
+    if (!shape.isKnown()) return;
+    forEachCell(rangeOf(object, part), [&](const GridSize& cell) {
+      counts_[frame_->indexOf(cell)] += shape.meets(frame_->boxOf(cell));
+    });
+  });
 }
 
-/// Notes at the eight corners of a box that the count grows or falls behind them; sums along each
-/// axis then give every cell its count, however many cells a box has. Source: Crow, "Summed-Area
+/// Notes at the eight corners of a range that the count grows or falls behind them; sums along each
+/// axis then give every cell its count, however many cells a range has. Source: Crow, "Summed-Area
 /// Tables for Texture Mapping", 1984, read backwards.
-void GridView::count(const BoundingBox& box) {
-  const CellRange range = frame_->overlappedBy(box);
+void GridView::countCorners(const CellRange& range) {
   const GridSize corners = grown(frame_->size());
   for (int corner = 0; corner < 8; ++corner) {
     GridSize cell;
@@ -62,10 +79,10 @@ void GridView::count(const BoundingBox& box) {
   }
 }
 
-void GridView::sumCounts() {
+void GridView::sumCorners() {
   const GridSize corners = grown(frame_->size());
   for (int axis = 0; axis < 3; ++axis) {
-    forEachCell(corners, [&](const GridSize& cell) {
+    forEachCell(allOf(corners), [&](const GridSize& cell) {
       if (cell[axis] == 0) return;
       GridSize before = cell;
       --before[axis];
@@ -73,7 +90,7 @@ void GridView::sumCounts() {
     });
   }
   // The corners beyond the last cells have done their work.
-  forEachCell(frame_->size(), [&](const GridSize& cell) {
+  forEachCell(allOf(frame_->size()), [&](const GridSize& cell) {
     counts_[frame_->indexOf(cell)] = counts_[indexIn(corners, cell)];
   });
   counts_.resize(frame_->cellCount());

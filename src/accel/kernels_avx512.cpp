@@ -1,8 +1,8 @@
 // The traversal kernels for avx512.
-// Compiled with flags of its own where the compiler has them; otherwise empty.
+// Compiled with flags of its own where the processor may have it; elsewhere never chosen.
 #include <cstdint>
 
-#if defined(__AVX2__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #if defined(__SSE2__)
-#include <emmintrin.h>
+#include <immintrin.h>  // all of it: a build may have a wider baseline, e.g. with -march=native
 #endif
 
 #include "accel/packet.h"

@@ -235,6 +235,9 @@ std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const 
   const int together =
       beam.count >= kFewRays && preparePacket(tree.bvh(), beam, packet) ? beam.count : 0;
   if (together > 0) kernels.nearestOfPacket(packet);
+  if (together > 0 && kernels.tally) {
+    kernels.tally->addNearest(packet.nodesVisited, packet.primitivesTested);
+  }
   ProvenHits proven(tree, mesh, order);
   LoneRays lone;
   std::uint64_t found = 0;
@@ -264,6 +267,9 @@ std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const
                         beamOfShadows(queries, count, beam) &&
                         preparePacket(tree.bvh(), beam, packet);
   if (together) kernels.anyOfPacket(packet);
+  if (together && kernels.tally) {
+    kernels.tally->addShadow(packet.nodesVisited, packet.primitivesTested);
+  }
   std::uint64_t blocked = together ? packet.blocked : 0;
   LoneRays lone;
   for (int i = 0; i < count; ++i) {

@@ -61,6 +61,7 @@ bool NearestInMesh::ask(const Kernels& kernels, TraversalRay& r) {
   r.askObject = noObject;
   r.context = this;
   kernels.nearest(r);
+  kernels.tellNearest(r);
   resolve(r);
   if (!found) return false;
   const MeshTree::Triangle corners = tree->triangleAt(winner.words, winner.lane);
@@ -72,7 +73,9 @@ bool OccludedByMesh::ask(const Kernels& kernels, TraversalRay& r) {
   r.resolve = resolve;
   r.askObject = noObject;
   r.context = this;
-  return kernels.any(r);
+  const bool isBlocked = kernels.any(r);
+  kernels.tellShadow(r);
+  return isBlocked;
 }
 
 bool OccludedByMesh::resolve(TraversalRay& r) {
@@ -116,6 +119,7 @@ void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const Tria
   r.askObject = noObject;
   r.context = &self;
   kernels.all(r);
+  kernels.tellShadow(r);
   CrossingsOfMesh::resolve(r);
 }
 

@@ -32,6 +32,7 @@ struct alignas(64) RayPacket {
   /// Bounds of each ray's t', counted from the common point (so t' may be negative).
   float tminDown[kMostRays], tminUp[kMostRays], tmaxUp[kMostRays], tmaxDown[kMostRays];
 
+  std::uint32_t nodesVisited, primitivesTested;
   std::uint64_t open;     ///< rays that the packet could not answer
   std::uint64_t blocked;  ///< rays proven to be blocked (any)
   /// The nearest proven hit: the offset of its leaf (0: none) and its place there. The bits of

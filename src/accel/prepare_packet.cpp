@@ -128,6 +128,7 @@ bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
   packet.determinantError = float(48 * kRounding) * steepest;
   packet.numeratorError = float(80 * kRounding * reach);
   packet.open = packet.blocked = 0;
+  packet.nodesVisited = packet.primitivesTested = 0;
   return true;
 }
 

@@ -178,6 +178,7 @@ void Space::visitCrossingsOf(const Entry& entry, const Ray& ray, CrossingVisitor
 bool Space::nearest(const Ray& ray, NearestQuery& query) const {
   bool found = false;
   for (const std::uint32_t id : direct_) {
+    tellDirect(&TestTally::addNearest, entries_[id], 1);
     if (nearestOf(entries_[id], ray, query)) found = true;
   }
   TraversalRay r;
@@ -193,12 +194,14 @@ bool Space::nearestInTree(const Ray& ray, NearestQuery& query, TraversalRay& r,
   NearestInSpace self{{*this, ray, time}, query};
   attach(r, self);
   kernels_->nearest(r);
+  kernels_->tellNearest(r);
   NearestInSpace::resolve(r);
   return self.found;
 }
 
 bool Space::occluded(const Ray& ray, double tmin, double tmax) const {
   for (const std::uint32_t id : direct_) {
+    tellDirect(&TestTally::addShadow, entries_[id], 1);
     if (occludedBy(entries_[id], ray, tmin, tmax)) return true;
   }
   TraversalRay r;
@@ -210,17 +213,23 @@ bool Space::occluded(const Ray& ray, double tmin, double tmax) const {
 bool Space::occludedInTree(const Ray& ray, double tmin, double tmax, TraversalRay& r) const {
   OccludedInSpace self{{*this, ray, {}}, tmin, tmax};
   attach(r, self);
-  return kernels_->any(r);
+  const bool isBlocked = kernels_->any(r);
+  kernels_->tellShadow(r);
+  return isBlocked;
 }
 
 void Space::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
-  for (const std::uint32_t id : direct_) visitCrossingsOf(entries_[id], ray, visitor);
+  for (const std::uint32_t id : direct_) {
+    tellDirect(&TestTally::addShadow, entries_[id], 1);
+    visitCrossingsOf(entries_[id], ray, visitor);
+  }
   if (bvh_.isEmpty()) return;
   TraversalRay r;
   CrossingsInSpace self{{*this, ray, {}}, visitor};
   if (!prepareRay(*kernels_, bvh_, ray, 0, kInf, r, self.time)) return;
   attach(r, self);
   kernels_->all(r);
+  kernels_->tellShadow(r);
   CrossingsInSpace::resolve(r);
 }
 

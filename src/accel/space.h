@@ -96,6 +96,13 @@ class Space {
                      const TimeMap& time) const;
   bool occludedInTree(const Ray& ray, double tmin, double tmax, TraversalRay& r) const;
 
+  /// Notes that `count` rays ask `entry` without a tree.
+  void tellDirect(void (TestTally::*told)(std::uint64_t, std::uint64_t), const Entry& entry,
+                  int count) const {
+    if (!kernels_->tally || entry.kind != Entry::Kind::plain) return;
+    (kernels_->tally->*told)(0, std::uint64_t(count));
+  }
+
   const Kernels* kernels_;  // not owned
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> direct_;  // entries that are asked one by one

@@ -63,6 +63,7 @@ class OpenQueries {
   OpenQueries(const ShadowQuery* queries, int count) : queries_(queries), count_(count) {
     for (int i = 0; i < count; ++i) places_[i] = i;
   }
+  int count() const { return count_; }
   bool isEmpty() const { return count_ == 0; }
   Bits blocked() const { return blocked_; }
 
@@ -122,6 +123,7 @@ Bits Space::nearest(const Ray* rays, int count, NearestQuery* queries) const {
     } else if (entry.kind == Entry::Kind::movedMesh) {
       found |= nearestInMovedMesh(*kernels_, entry, rays, count, queries);
     } else if (entry.kind == Entry::Kind::plain) {
+      tellDirect(&TestTally::addNearest, entry, count);
       found |= nearestInPlain(*this, entry, rays, count, queries);
     } else {
       for (int i = 0; i < count; ++i) {
@@ -152,6 +154,7 @@ Bits Space::occluded(const ShadowQuery* queries, int count) const {
         return occludedByMovedMesh(*kernels_, entry, together, size);
       });
     } else {
+      tellDirect(&TestTally::addShadow, entry, open.count());
       open.askEach([&](const ShadowQuery& q) { return occludedBy(entry, q.ray, q.tmin, q.tmax); });
     }
   }

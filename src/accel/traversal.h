@@ -23,6 +23,7 @@
 #pragma once
 #include <cstdint>
 
+#include "accel/test_tally.h"
 #include "accel/wide_bvh.h"
 
 namespace accel {
@@ -55,6 +56,7 @@ struct TraversalRay {
   float numeratorError;               ///< 80 e R
   float inverseLengthSquared;         ///< of the direction
 
+  std::uint32_t nodesVisited, primitivesTested;
   int candidateCount;
   Candidate candidates[kMostCandidates];
 
@@ -108,6 +110,15 @@ struct Kernels {
   /// The same for `count` rays; bit i of the result is the answer for ray i.
   std::uint64_t (*prepareRays)(const WideBvh& bvh, const RayRows& rows, int count,
                                TraversalRay* prepared, TimeMap* times);
+  /// Where it is noted what all this takes; null where nobody asks. Not owned.
+  TestTally* tally = nullptr;
+
+  void tellNearest(const TraversalRay& ray) const {
+    if (tally) tally->addNearest(ray.nodesVisited, ray.primitivesTested);
+  }
+  void tellShadow(const TraversalRay& ray) const {
+    if (tally) tally->addShadow(ray.nodesVisited, ray.primitivesTested);
+  }
 };
 
 const Kernels& baselineKernels();

@@ -44,11 +44,12 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
   std::vector<WorkerView> views;
   for (ThreadCounts& each : counts) {
     each.geometry = geometry.counting(each.tests);
-    stats.countsTests = each.geometry != nullptr;
     views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
   }
   render(scene, geometry.object(), options.render, stats.threads, targets, views);
   stats.pixels = double(renderedArea(options).pixelCount());
+  stats.countsTests = options.gridPicture == Options::GridPicture::none;
+  stats.tests = geometry.tallied();
   for (const ThreadCounts& each : counts) {
     stats.rays.add(each.rays);
     stats.tests.add(each.tests);

@@ -24,7 +24,7 @@ PhongMaterial paintOf(const Vec3f& color) { return {color, {}, 1, {}, {}, 1}; }
 SceneGeometry::SceneGeometry(const Object3D& root, const Options& options, int threads)
     : object_(&root) {
   if (options.accel == Options::Accel::fast) {
-    object_ = &compiled_.emplace(root, threads, options.simd);
+    object_ = &compiled_.emplace(root, threads, options.simd, options.stats ? &tally_ : nullptr);
     simd_ = nameOf(availableSimd(options.simd));
     description_ = compiled_->describe();
   } else if (options.gridPicture != Options::GridPicture::none) {

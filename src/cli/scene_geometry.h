@@ -9,6 +9,7 @@
 #include "accel/grid.h"
 #include "accel/grid_view.h"
 #include "accel/test_counts.h"
+#include "accel/test_tally.h"
 #include "cli/options.h"
 #include "shading/phong_material.h"
 
@@ -22,8 +23,10 @@ class SceneGeometry {
 
   const Object3D& object() const { return *object_; }
   /// object() in a form that adds to `counts` what each answer takes, for one thread; null where
-  /// that is not counted. Neither this nor `counts` is owned.
+  /// there is none. Neither this nor `counts` is owned.
   std::unique_ptr<const Object3D> counting(RayTestCounts& counts) const;
+  /// What object() itself has counted: with Options::stats, where it is a compiled scene.
+  RayTestCounts tallied() const { return tally_.total(); }
   /// The instruction set in use, "none" where there is no choice of one.
   const std::string& simd() const { return simd_; }
   /// In one line what was built.
@@ -32,6 +35,7 @@ class SceneGeometry {
  private:
   void makeView(const Object3D& root, const Options& options);
 
+  TestTally tally_;
   std::optional<CompiledScene> compiled_;
   std::optional<Grid> grid_;
   std::vector<PhongMaterial> palette_;

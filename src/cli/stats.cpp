@@ -68,7 +68,7 @@ std::string Stats::text() const {
   const std::string tested =
       countsTests ? testLines("hits", tests.nearest, rays.total() - rays.shadowRays()) +
                         testLines("shadows", tests.shadow, rays.shadowRays())
-                  : line("intersection tests", "counted with -accel tree and -grid alone");
+                  : line("intersection tests", "not counted in a picture of cells");
   return line("instruction set", simd) + line("tree", tree) +
          line("threads", std::to_string(threads)) + line("seconds reading", seconds(readSeconds)) +
          line("seconds building", seconds(buildSeconds)) +

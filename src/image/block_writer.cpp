@@ -198,38 +198,39 @@ void writeStored(const std::uint8_t* bytes, std::size_t size, bool isLast, BitWr
   } while (size > 0);
 }
 
-std::uint64_t bitsFrom(const std::vector<Token>& tokens, std::size_t first, std::size_t last) {
-  return dynamicBits(SymbolCounts::of(tokens, first, last));
-}
-
 constexpr std::size_t kFewestTokens = 512;  // in a block that is worth a head of its own
 constexpr std::size_t kTries = 8;           // places at which a stretch is tried to be cut
 
-/// Cuts tokens[first..last) where that saves most, and both parts in turn.
+/// Cuts tokens[first..last), whose symbols are `counts` and which take `whole` bits, where that
+/// saves most, and both parts in turn.
 void split(const std::vector<Token>& tokens, std::size_t first, std::size_t last,
-           std::uint64_t whole, std::vector<std::size_t>& cuts) {
+           const SymbolCounts& counts, std::uint64_t whole, std::vector<std::size_t>& cuts) {
   const std::size_t step = std::max(kFewestTokens, (last - first) / (kTries + 1));
   std::size_t best = first;
   std::uint64_t least = whole, bestLeft = 0;
+  SymbolCounts left = SymbolCounts::of(tokens, first, first), bestCounts;
   for (std::size_t cut = first + step; cut + kFewestTokens <= last; cut += step) {
-    const std::uint64_t left = bitsFrom(tokens, first, cut);
-    const std::uint64_t both = left + bitsFrom(tokens, cut, last);
+    for (std::size_t i = cut - step; i < cut; ++i) left.add(tokens[i]);
+    const std::uint64_t leftBits = dynamicBits(left);
+    const std::uint64_t both = leftBits + dynamicBits(counts.without(left));
     if (both >= least) continue;
     least = both;
-    bestLeft = left;
+    bestLeft = leftBits;
+    bestCounts = left;
     best = cut;
   }
   if (best == first) return;
-  split(tokens, first, best, bestLeft, cuts);
+  split(tokens, first, best, bestCounts, bestLeft, cuts);
   cuts.push_back(best);
-  split(tokens, best, last, least - bestLeft, cuts);
+  split(tokens, best, last, counts.without(bestCounts), least - bestLeft, cuts);
 }
 
 }  // namespace
 
 std::vector<std::size_t> splitIntoBlocks(const std::vector<Token>& tokens) {
   std::vector<std::size_t> cuts = {0};
-  split(tokens, 0, tokens.size(), bitsFrom(tokens, 0, tokens.size()), cuts);
+  const SymbolCounts counts = SymbolCounts::of(tokens, 0, tokens.size());
+  split(tokens, 0, tokens.size(), counts, dynamicBits(counts), cuts);
   cuts.push_back(tokens.size());
   return cuts;
 }

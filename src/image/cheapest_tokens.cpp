@@ -1,17 +1,22 @@
 // The cheapest tokens: the shortest path from each place to the end, from the last place back.
 #include "image/cheapest_tokens.h"
 
+#include <algorithm>
+#include <cassert>
+
+#include "image/copy_tree.h"
+
 namespace deflate {
 
 namespace {
 
 struct Path {
-  std::uint64_t cost;  // from here to the end
+  std::uint32_t cost;  // from here to the end
   Token first;
 };
 
-/// Where the longest copies reach, shorter ones are no use: it keeps flat pictures quick.
-constexpr unsigned kLongEnough = kLongestCopy;
+/// Where copies reach as far as this, shorter ones are no use: it keeps flat pictures quick.
+constexpr unsigned kLongEnough = 80;
 
 void useCopies(const CopyLists& lists, const Costs& costs, std::size_t at,
                std::vector<Path>& paths) {
@@ -21,41 +26,51 @@ void useCopies(const CopyLists& lists, const Costs& costs, std::size_t at,
     copy = end - 1;
     length = copy->length;
   }
+  Path best = paths[at];
   for (; copy != end; ++copy) {
     const std::uint32_t distance = costs.distance[distanceRange(copy->distance)];
     for (; length <= copy->length; ++length) {
-      const std::uint64_t cost = paths[at + length].cost + costs.length[length] + distance;
-      if (cost < paths[at].cost) {
-        paths[at] = {cost, {static_cast<std::uint16_t>(length), copy->distance}};
-      }
+      const std::uint32_t cost = paths[at + length].cost + costs.length[length] + distance;
+      if (cost < best.cost) best = {cost, {static_cast<std::uint16_t>(length), copy->distance}};
     }
   }
+  paths[at] = best;
 }
 
 std::vector<Path> cheapestPaths(const std::uint8_t* bytes, const CopyLists& lists,
-                                const Costs& costs) {
+                                const std::vector<CostsFrom>& parts) {
   std::vector<Path> paths(lists.size() + 1);
-  for (std::size_t at = lists.size(); at-- > 0;) {
-    paths[at] = {paths[at + 1].cost + costs.literal[bytes[at]], {bytes[at], 0}};
-    useCopies(lists, costs, at, paths);
+  std::size_t at = lists.size();
+  for (std::size_t part = parts.size(); part-- > 0;) {
+    const Costs& costs = parts[part].costs;
+    while (at > parts[part].place) {
+      --at;
+      paths[at] = {paths[at + 1].cost + costs.literal[bytes[at]], {bytes[at], 0}};
+      useCopies(lists, costs, at, paths);
+    }
   }
   return paths;
 }
 
 }  // namespace
 
-void CopyLists::collect(CopyFinder& finder, std::size_t from, std::size_t to) {
-  first_.assign(1, 0);
-  copies_.clear();
+CopyLists::CopyLists(const std::uint8_t* bytes, std::size_t from, std::size_t to, unsigned depth) {
+  CopyTree tree(bytes, to, depth);
+  for (std::size_t at = from - std::min<std::size_t>(from, kWindow); at < from; ++at) {
+    tree.findAndAdd(at, copies_);
+    copies_.clear();
+  }
+  first_.reserve(to - from + 1);
+  first_.push_back(0);
   for (std::size_t at = from; at < to; ++at) {
-    finder.find(at, to, copies_);
-    finder.add(at);
-    first_.push_back(copies_.size());
+    tree.findAndAdd(at, copies_);
+    first_.push_back(static_cast<std::uint32_t>(copies_.size()));
   }
 }
 
 std::vector<Token> cheapestTokens(const std::uint8_t* bytes, const CopyLists& lists,
-                                  const Costs& costs) {
+                                  const std::vector<CostsFrom>& costs) {
+  assert(lists.size() <= kLongestStretch);
   const std::vector<Path> paths = cheapestPaths(bytes, lists, costs);
   std::vector<Token> tokens;
   for (std::size_t at = 0; at < lists.size();) {
@@ -63,10 +78,6 @@ std::vector<Token> cheapestTokens(const std::uint8_t* bytes, const CopyLists& li
     at += isLiteral(tokens.back()) ? 1 : tokens.back().length;
   }
   return tokens;
-}
-
-std::uint64_t leastCost(const std::uint8_t* bytes, const CopyLists& lists, const Costs& costs) {
-  return cheapestPaths(bytes, lists, costs)[0].cost;
 }
 
 }  // namespace deflate

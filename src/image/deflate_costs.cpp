@@ -2,6 +2,7 @@
 #include "image/deflate_costs.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -17,6 +18,18 @@ constexpr std::array<std::uint8_t, kLongestCopy + 1> makeLengthTable(const Range
   for (unsigned length = kShortestCopy, range = 0; length <= kLongestCopy; ++length) {
     while (range + 1 < N && ranges[range + 1].base <= length) ++range;
     table[length] = static_cast<std::uint8_t>(range);
+  }
+  return table;
+}
+
+/// Two ranges for every power of two: those of 128 times as far come 14 ranges later.
+constexpr unsigned kNearDistances = 256, kRangesFurther = 14;
+
+constexpr std::array<std::uint8_t, kNearDistances> makeDistanceTable() {
+  std::array<std::uint8_t, kNearDistances> table = {};
+  for (unsigned d = 0, range = 0; d < kNearDistances; ++d) {
+    while (kDistances[range + 1].base <= d + 1) ++range;
+    table[d] = static_cast<std::uint8_t>(range);
   }
   return table;
 }
@@ -42,11 +55,9 @@ unsigned lengthRange(unsigned length) {
 }
 
 unsigned distanceRange(unsigned distance) {
+  static constexpr auto kTable = makeDistanceTable();
   const unsigned d = distance - 1;
-  if (d < 4) return d;
-  unsigned high = 2;  // the place of d's highest bit
-  while (d >> (high + 1) != 0) ++high;
-  return 2 * high + (d >> (high - 1) & 1);
+  return d < kNearDistances ? kTable[d] : kTable[d / (kNearDistances / 2)] + kRangesFurther;
 }
 
 void SymbolCounts::add(Token token) {
@@ -56,6 +67,17 @@ void SymbolCounts::add(Token token) {
     ++literals[kEndOfBlock + 1 + lengthRange(token.length)];
     ++distances[distanceRange(token.distance)];
   }
+}
+
+SymbolCounts SymbolCounts::without(const SymbolCounts& part) const {
+  SymbolCounts rest;
+  const auto minus = std::minus<std::uint32_t>();
+  std::transform(literals.begin(), literals.end(), part.literals.begin(), rest.literals.begin(),
+                 minus);
+  std::transform(distances.begin(), distances.end(), part.distances.begin(), rest.distances.begin(),
+                 minus);
+  rest.literals[kEndOfBlock] = 1;
+  return rest;
 }
 
 SymbolCounts SymbolCounts::of(const std::vector<Token>& tokens, std::size_t first,
@@ -78,6 +100,27 @@ Costs::Costs(const SymbolCounts& counts) {
   for (unsigned range = 0; range < kDistanceSymbols; ++range) {
     distance[range] += kBit * kDistances[range].bits;
   }
+}
+
+std::uint64_t Costs::of(const SymbolCounts& counts) const {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < literal.size(); ++i) {
+    sum += std::uint64_t{counts.literals[i]} * literal[i];
+  }
+  for (std::size_t i = 0; i < std::size(kLengths); ++i) {
+    sum += std::uint64_t{counts.literals[kEndOfBlock + 1 + i]} * length[kLengths[i].base];
+  }
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    sum += std::uint64_t{counts.distances[i]} * distance[i];
+  }
+  return sum;
+}
+
+Costs costsAtFirst() {
+  SymbolCounts counts;
+  counts.literals.fill(1);
+  counts.distances.fill(1);
+  return Costs(counts);
 }
 
 }  // namespace deflate

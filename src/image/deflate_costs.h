@@ -23,6 +23,8 @@ struct SymbolCounts {
   std::array<std::uint32_t, kDistanceSymbols> distances = {};
 
   void add(Token token);
+  /// Those of the rest of a block when `part` is made a block of its own: both have an end.
+  SymbolCounts without(const SymbolCounts& part) const;
   /// Of tokens[first..last), and the end of the block.
   static SymbolCounts of(const std::vector<Token>& tokens, std::size_t first, std::size_t last);
 };
@@ -43,6 +45,11 @@ struct Costs {
     return isLiteral(token) ? literal[token.length]
                             : length[token.length] + distance[distanceRange(token.distance)];
   }
+  /// Of all symbols but the end of a block.
+  std::uint64_t of(const SymbolCounts& counts) const;
 };
+
+/// Costs before anything is known of the bytes: all symbols cost the same.
+Costs costsAtFirst();
 
 }  // namespace deflate

@@ -32,12 +32,13 @@ inline int predict(unsigned filter, int left, int above, int corner) {
   }
 }
 
-/// Writes the filter's number and the filtered samples of `row` (3 bytes a pixel), 1 + row.size()
-/// bytes, to `out`. `above` is the row above, of the same size; zeros for the first.
-void filterRow(unsigned filter, const Bytes& row, const Bytes& above, std::uint8_t* out);
+/// Writes the filter's number and the filtered samples of `row` (`perPixel` bytes a pixel), 1 +
+/// row.size() bytes, to `out`. `above` is the row above, of the same size; zeros for the first.
+void filterRow(unsigned filter, unsigned perPixel, const Bytes& row, const Bytes& above,
+               std::uint8_t* out);
 
 /// The filter whose differences, taken as -128..127, have the least sum of absolute values (RFC
 /// 2083, 9.6).
-unsigned leastDifference(const Bytes& row, const Bytes& above);
+unsigned leastDifference(unsigned perPixel, const Bytes& row, const Bytes& above);
 
 }  // namespace png

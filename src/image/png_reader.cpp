@@ -7,6 +7,7 @@
 #include "image/inflate.h"
 #include "image/png.h"
 #include "image/png_filter.h"
+#include "image/png_samples.h"
 
 namespace {
 
@@ -41,8 +42,6 @@ Chunk readChunk(ByteReader& reader) {
   }
   return chunk;
 }
-
-enum ColorType : unsigned { kGrey = 0, kRgb = 2, kPalette = 3, kGreyAlpha = 4, kRgba = 6 };
 
 /// The chunks of one file, taken in and checked one after the other.
 class PngFile {
@@ -91,17 +90,17 @@ class PngFile {
   void takeFormat(unsigned depth, unsigned colorType) {
     colorType_ = colorType;
     switch (colorType) {
-      case kGrey:
-      case kPalette:
+      case png::kGrey:
+      case png::kPalette:
         channels_ = 1;
         break;
-      case kGreyAlpha:
+      case png::kGreyAlpha:
         channels_ = 2;
         break;
-      case kRgb:
+      case png::kRgb:
         channels_ = 3;
         break;
-      case kRgba:
+      case png::kRgba:
         channels_ = 4;
         break;
       default:
@@ -128,7 +127,7 @@ class PngFile {
 
   void takeData(const Chunk& chunk) {
     if (previous_ != "IDAT" && hasData_) reader_.fail("expected IDAT chunks without a gap");
-    if (colorType_ == kPalette && palette_.empty()) reader_.fail("expected PLTE before IDAT");
+    if (colorType_ == png::kPalette && palette_.empty()) reader_.fail("expected PLTE before IDAT");
     hasData_ = true;
     data_.insert(data_.end(), chunk.data, chunk.data + chunk.size);
   }
@@ -137,7 +136,7 @@ class PngFile {
     if (hasData_ || hasTransparency_ || !palette_.empty()) {
       reader_.fail("expected one PLTE chunk, before tRNS and IDAT");
     }
-    if (colorType_ == kGrey || colorType_ == kGreyAlpha) {
+    if (colorType_ == png::kGrey || colorType_ == png::kGreyAlpha) {
       reader_.fail("expected no PLTE chunk in a grey image");
     }
     if (chunk.size == 0 || chunk.size > 768 || chunk.size % 3 != 0) {
@@ -153,10 +152,10 @@ class PngFile {
   void checkTransparency(const Chunk& chunk) {
     if (hasData_ || hasTransparency_) reader_.fail("expected one tRNS chunk, before IDAT");
     hasTransparency_ = true;
-    const bool fits = colorType_ == kGrey      ? chunk.size == 2
-                      : colorType_ == kRgb     ? chunk.size == 6
-                      : colorType_ == kPalette ? chunk.size <= palette_.size()
-                                               : false;
+    const bool fits = colorType_ == png::kGrey      ? chunk.size == 2
+                      : colorType_ == png::kRgb     ? chunk.size == 6
+                      : colorType_ == png::kPalette ? chunk.size <= palette_.size()
+                                                    : false;
     if (!fits) {
       reader_.fail("a tRNS chunk of " + std::to_string(chunk.size) +
                    " bytes does not fit the colour type or palette");
@@ -218,7 +217,7 @@ class PngFile {
 
   Rgb8 pixelFrom(const std::uint8_t* sample) const {
     if (channels_ >= 3) return {sample[0], sample[1], sample[2]};
-    if (colorType_ != kPalette) return {sample[0], sample[0], sample[0]};
+    if (colorType_ != png::kPalette) return {sample[0], sample[0], sample[0]};
     if (sample[0] >= palette_.size()) {
       reader_.fail("expected a palette index below " + std::to_string(palette_.size()) +
                    ", found " + std::to_string(sample[0]));

@@ -6,10 +6,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <ctime>
 
@@ -55,11 +57,15 @@ class NoSignalsHere {
   sigset_t before_;
 };
 
-std::atomic<int> passedTo{-1};   // who wants to hear of signals
-std::atomic<int> passing{0};     // handlers that are just writing there
-std::atomic<long> firstPass{0};  // when the first signal was passed, in ms; 0: none was
-constexpr long kPatience = 100;  // ms
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<long>::is_always_lock_free,
+std::atomic<int> passedTo{-1};  // who wants to hear of signals
+std::atomic<int> passing{0};    // handlers that are just writing there
+// When the first signal was passed, in ms; 0: none was. The clock begins again at 0 after 49 days,
+// as differences of unsigned numbers do: a long of 32 bits would overflow after half of that.
+using Milliseconds = std::uint32_t;
+std::atomic<Milliseconds> firstPass{0};
+constexpr Milliseconds kPatience = 100;
+static_assert(std::atomic<int>::is_always_lock_free &&
+                  std::atomic<Milliseconds>::is_always_lock_free,
               "used in a signal handler");
 
 /// True where someone else will end the program.
@@ -69,8 +75,9 @@ bool pass(int signal) {
   bool passed = false;
   struct timespec now = {};
   if (descriptor >= 0 && clock_gettime(CLOCK_MONOTONIC, &now) == 0) {
-    const long time = now.tv_sec * 1000 + now.tv_nsec / 1000000 + 1;
-    long first = 0;
+    const Milliseconds time = std::max(
+        Milliseconds{1}, Milliseconds(now.tv_sec) * 1000 + Milliseconds(now.tv_nsec / 1000000));
+    Milliseconds first = 0;
     if (firstPass.compare_exchange_strong(first, time)) first = time;
     const auto byte = static_cast<unsigned char>(signal);
     passed = time - first <= kPatience && write(descriptor, &byte, 1) == 1;

@@ -36,9 +36,11 @@ Passage::Side sideOf(const Media::Medium& medium, const Hit& hit) {
 
 }  // namespace
 
-/// Whether `hit` asks for all that lies along the ray.
+/// Whether `hit` asks for all that lies along the ray. What is far from all solids has air around.
 bool RayTracer::wantsMedia(const Hit& hit) const {
-  return options_.fresnel || (options_.nestedDielectrics && isTransparent(hit));
+  if (!options_.fresnel && !(options_.nestedDielectrics && isTransparent(hit))) return false;
+  const SolidObjects* solids = scene_->getSolids();
+  return !solids || !solids->areBeyond(hit.getIntersectionPoint(), reachOf(hit));
 }
 
 /// Surfaces as near as this to a hit belong to it: secondary rays do not see them either.
@@ -54,7 +56,8 @@ bool RayTracer::settle(const Ray& ray, double tmax, Hit& hit, Passage& passage) 
     if (!tracksMedia_ || !wantsMedia(hit)) return true;
     if (!media) {
       start = hit.getT() - reachOf(hit);
-      media.emplace(*geometry_, Ray(ray.pointAtParameter(start), ray.getDirection()));
+      media.emplace(*geometry_, scene_->getSolids(),
+                    Ray(ray.pointAtParameter(start), ray.getDirection()));
     }
     if (passThrough(*media, start, hit, passage)) return true;
     report([&](RayObserver& observer) { observer.surfaceIsPassed(hit); });

@@ -5,12 +5,11 @@
 #include "shading/blinn_phong_material.h"
 #include "shading/checkerboard.h"
 #include "shading/cook_torrance_material.h"
-#include "shading/marble.h"
 #include "shading/noise.h"
 #include "shading/oren_nayar_material.h"
 #include "shading/phong_material.h"
 #include "shading/ward_material.h"
-#include "shading/wood.h"
+#include "shading/wave_texture.h"
 
 namespace {
 

@@ -24,7 +24,8 @@ std::tuple<float, float, float, float> opticsOf(const Material& material) {
 
 }  // namespace
 
-Media::Media(const Object3D& geometry, const Ray& line) {
+Media::Media(const Object3D& geometry, const SolidObjects* solids, const Ray& line)
+    : solids_(solids) {
   geometry.visitCrossings(line, *this);
   std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
     if (a.object != b.object) return std::less<>()(a.object, b.object);
@@ -52,8 +53,9 @@ Media::Place Media::endOfObject(Place first) const {
 
 /// From the last crossing backwards, as nothing contains the line's far end. A mesh that is inside
 /// out counts with the other sign.
-std::vector<Media::Stay> Media::staysIn(Place first, Place last) {
+std::vector<Media::Stay> Media::staysIn(Place first, Place last) const {
   const Medium medium = {first->object, first->material};
+  const double volume = solids_ ? solids_->volumeOf(first->object) : kInf;
   std::vector<Stay> stays;
   double to = kInf;
   int count = 0;
@@ -62,9 +64,9 @@ std::vector<Media::Stay> Media::staysIn(Place first, Place last) {
     const int behind = count;
     count += countOf(crossing);
     if (behind == 0) to = crossing.t;
-    if (count == 0) stays.push_back({medium, crossing.t, to});
+    if (count == 0) stays.push_back({medium, volume, crossing.t, to});
   }
-  if (count != 0) stays.push_back({medium, -kInf, to});
+  if (count != 0) stays.push_back({medium, volume, -kInf, to});
   return stays;
 }
 
@@ -74,6 +76,7 @@ bool Media::isStronger(const Stay& a, const Stay& b) {
   const Material& second = *b.medium.material;
   const int priorityA = first.getPriority(), priorityB = second.getPriority();
   if (priorityA != priorityB) return priorityA > priorityB;
+  if (a.volume != b.volume) return a.volume < b.volume;
   if (a.to != b.to) return a.to < b.to;
   if (a.from != b.from) return a.from > b.from;
   const auto opticsA = opticsOf(first), opticsB = opticsOf(second);
@@ -149,12 +152,4 @@ float Media::Medium::indexAt(const Vec3d& point) const {
     weights += part.weight;
   }
   return weights > 0 ? float(sum / weights) : material->getIndexOfRefraction();
-}
-
-Vec3f absorption(const Vec3f& transparentColor, double length) {
-  Vec3f result;
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = float(math::pow(std::max(transparentColor[axis], 0.0f), length));
-  }
-  return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/object3d.h"
+#include "scene/solid_objects.h"
 #include "shading/material.h"
 
 class Media : private CrossingVisitor {
@@ -21,13 +22,15 @@ class Media : private CrossingVisitor {
     float indexAt(const Vec3d& point) const;
   };
 
-  /// Finds what `line`, whose direction is a unit vector, meets at t > 0. Time n log n and memory n
-  /// for n crossings.
-  Media(const Object3D& geometry, const Ray& line);
+  /// Finds what `line`, whose direction is a unit vector, meets at t > 0. `solids`, not owned,
+  /// tells volumes; where it is null they count as equal. Time n log n and memory n for n
+  /// crossings.
+  Media(const Object3D& geometry, const SolidObjects* solids, const Ray& line);
 
   /// What fills the place at parameter t: of all objects around it the one whose material has the
-  /// largest priority; of several such the one that the line leaves first, which is the innermost
-  /// where one stands inside another; of those left at the same t, the one entered last.
+  /// largest priority; of several such the one of the smallest volume, which is the innermost where
+  /// one stands inside another, and the same for every line where they overlap otherwise; of equal
+  /// ones the one that the line leaves first, and of those left at the same t the one entered last.
   /// Source: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images", 2002.
   Medium mediumAt(double t) const;
 
@@ -43,7 +46,7 @@ class Media : private CrossingVisitor {
   /// A stretch of the line inside one object.
   struct Stay {
     Medium medium;
-    double from, to;
+    double volume, from, to;
   };
   /// From t = `from` on, up to the next layer, `medium` fills the line.
   struct Layer {
@@ -55,13 +58,11 @@ class Media : private CrossingVisitor {
   void visit(const Crossing& crossing) override;
   /// Behind the last crossing of the object of `first`.
   Place endOfObject(Place first) const;
-  static std::vector<Stay> staysIn(Place first, Place last);
+  std::vector<Stay> staysIn(Place first, Place last) const;
   static bool isStronger(const Stay& a, const Stay& b);
   void findLayers(const std::vector<Stay>& stays);
 
+  const SolidObjects* solids_;       // not owned; may be null
   std::vector<Crossing> crossings_;  // of closed transparent objects, by object and then by t
   std::vector<Layer> layers_;        // in ascending order; outside before the first
 };
-
-/// transparentColor^length in each component, negative ones taken as 0; length >= 0.
-Vec3f absorption(const Vec3f& transparentColor, double length);

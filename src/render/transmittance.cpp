@@ -60,7 +60,7 @@ class ShadowRay : public CrossingVisitor {
     }
     std::sort(filters.begin(), filters.end(), filterLess);
     Vec3f product(1, 1, 1);
-    for (const Filter& filter : filters) product *= power(filter.color, filter.exponent);
+    for (const Filter& filter : filters) product *= absorption(filter.color, filter.exponent);
     return product;
   }
 
@@ -114,12 +114,6 @@ class ShadowRay : public CrossingVisitor {
     return transparencyAt(*crossing.material, ray_.pointAtParameter(crossing.t));
   }
 
-  static Vec3f power(const Vec3f& color, double exponent) {
-    Vec3f result;
-    for (int i = 0; i < 3; ++i) result[i] = float(math::pow(std::max(color[i], 0.0f), exponent));
-    return result;
-  }
-
   const Ray& ray_;
   double epsilon_, distance_;
   bool blocked_ = false;
@@ -142,4 +136,12 @@ Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, do
   ShadowRay visitor(ray, epsilon, distance);
   geometry.visitCrossings(ray, visitor);
   return visitor.result();
+}
+
+Vec3f absorption(const Vec3f& transparentColor, double length) {
+  Vec3f result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = float(math::pow(std::max(transparentColor[axis], 0.0f), length));
+  }
+  return result;
 }

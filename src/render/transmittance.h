@@ -15,3 +15,6 @@ Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, do
 
 /// transparentColor at a point of the world; of a texture the mean of its parts' colours there.
 Vec3f transparencyAt(const Material& material, const Vec3d& point);
+
+/// transparentColor^length in each component, negative ones taken as 0; length >= 0.
+Vec3f absorption(const Vec3f& transparentColor, double length);

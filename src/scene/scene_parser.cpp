@@ -57,4 +57,5 @@ void SceneParser::findClosedMeshes() {
   for (const auto& mesh : meshes_) {
     if (wanted.count(mesh.get()) > 0) mesh->findWhetherClosed();
   }
+  solids_.emplace(group_);
 }

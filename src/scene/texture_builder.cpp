@@ -5,10 +5,9 @@
 #include "scene/scene_builder.h"
 #include "scene/scene_words.h"
 #include "shading/checkerboard.h"
-#include "shading/marble.h"
 #include "shading/noise.h"
 #include "shading/phong_material.h"
-#include "shading/wood.h"
+#include "shading/wave_texture.h"
 
 namespace {
 

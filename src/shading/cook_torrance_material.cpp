@@ -44,12 +44,21 @@ Vec3d CookTorranceMaterial::highlight(const Vec3d& n, const Vec3d& l, const Vec3
   if (!(eyeCosine > 0) || !(rise > kLeastHeight)) return Vec3d();
   const Vec3d sideways = cross(n, halfway);
   const double size = std::sqrt(squared);
-  // l and u are unit vectors, so u.h is half the length of their sum.
-  const double slant = size / 2, twice = 2 * (rise / size) / slant;
-  const double visible = std::min({1.0, twice * eyeCosine, twice * lightCosine});
+  const double slant = size / 2;  // u.h: l and u are unit vectors
   const double amount = density(rise * rise / squared, dot(sideways, sideways) / squared) *
-                        (visible / (4 * eyeCosine));
+                        visible(lightCosine, eyeCosine, rise / size / slant);
   return fresnel_.at(slant) * amount;
+}
+
+/// G / (4 (n.u)), `ratio` being (n.h) / (u.h).
+double CookTorranceMaterial::visible(double lightCosine, double eyeCosine, double ratio) const {
+  if (distribution_ == Distribution::beckmann) {
+    return std::min({1.0, 2 * ratio * eyeCosine, 2 * ratio * lightCosine}) / (4 * eyeCosine);
+  }
+  // 2 / (1 + sqrt(1 + alpha^2 tan^2)) is 2 c / (c + sqrt(alpha^2 + (1 - alpha^2) c^2)).
+  const double alpha = std::max(double(roughness_), kLeastRoughness), squared = alpha * alpha;
+  const auto root = [&](double c) { return std::sqrt(squared + (1 - squared) * (c * c)); };
+  return lightCosine / ((lightCosine + root(lightCosine)) * (eyeCosine + root(eyeCosine)));
 }
 
 /// pi D by the squared cosine and sine of the angle between n and h: each as exact as the other.

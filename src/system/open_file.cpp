@@ -7,6 +7,8 @@
 
 #include <cerrno>
 
+static_assert(sizeof(off_t) == 8, "files beyond 2 GB need _FILE_OFFSET_BITS=64");
+
 OpenFile::OpenFile(const std::string& filename)
     : descriptor_(open(filename.c_str(), O_RDONLY | O_CLOEXEC)) {}
 

@@ -104,13 +104,16 @@ TEST("a cell counts the objects that have a part in it, and its colour follows")
       for (at[2] = 0; at[2] < 5; ++at[2]) {
         int expected = 0;
         for (const Sphere& sphere : spheres) {
-          bool inside = true;
+          // The square of the distance from the centre to the nearest point of the cell.
+          double squared = 0;
           for (int axis = 0; axis < 3; ++axis) {
-            const double c = sphere.getCenter()[axis], r = sphere.getRadius();
-            const int number = at[axis];
-            inside = inside && c - r < frame.plane(axis, number + 1) &&
-                     c + r > frame.plane(axis, number);
+            const double c = sphere.getCenter()[axis];
+            const double below = frame.plane(axis, at[axis]) - c;
+            const double above = c - frame.plane(axis, at[axis] + 1);
+            const double apart = std::max({0.0, below, above});
+            squared += apart * apart;
           }
+          const bool inside = squared < sphere.getRadius() * sphere.getRadius();
           expected += inside;
         }
         CHECK_EQUAL(int(view.objectsIn(at)), expected);
@@ -120,6 +123,43 @@ TEST("a cell counts the objects that have a part in it, and its colour follows")
     }
   }
   CHECK(most > 3 && free > 3);
+}
+
+TEST("a face counts in the cells that it has a part in, and a squashed ball with its whole box") {
+  // A square in the plane of sides of cells, of two triangles that meet along the diagonal: both
+  // are in the cells on the diagonal, and one is in each of the others.
+  Owner owner;
+  const Vec3d a(-2, -2, 0), b(2, -2, 0), c(2, 2, 0), d(-2, 2, 0);
+  Group square;
+  square.addObject(&owner.make<Triangle>(a, b, c, owner.material(0)));
+  square.addObject(&owner.make<Triangle>(a, c, d, owner.material(0)));
+  square.addObject(&owner.make<Sphere>(Vec3d(0, 0, -1.5), 0.5, owner.material(0)));
+  const GridView view(square, {4, 4, 2}, {owner.material(0)});
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      CHECK_EQUAL(view.objectsIn({i, j, 1}), i == j ? 2u : 1u);
+      const bool isMiddle = (i == 1 || i == 2) && (j == 1 || j == 2);
+      CHECK_EQUAL(view.objectsIn({i, j, 0}), isMiddle ? 1u : 0u);
+    }
+  }
+  // The corners of a round ball's box are free, those of an egg's are not.
+  const auto& ball = owner.make<Sphere>(Vec3d(0, 0, 0), 1.0, owner.material(0));
+  for (const double height : {1.0, 1.5}) {
+    Group moved;
+    moved.addObject(&owner.make<Transform>(
+        Matrix::translation({3, 4, 5}) * Matrix::scale({-1, 1, height}), &ball));
+    const GridView cells(moved, {8, 8, 8}, {owner.material(0)});
+    CHECK_EQUAL(cells.objectsIn({0, 0, 7}), height == 1 ? 0u : 1u);
+    CHECK_EQUAL(cells.objectsIn({3, 3, 7}), 1u);
+  }
+}
+
+TEST("where tests of cells would take too long, boxes count") {
+  Owner owner;
+  Group group;
+  group.addObject(&owner.make<Sphere>(Vec3d(), 1.0, owner.material(0)));
+  CHECK_EQUAL(GridView(group, {8, 8, 8}, {owner.material(0)}, 512).objectsIn({0, 0, 0}), 0u);
+  CHECK_EQUAL(GridView(group, {8, 8, 8}, {owner.material(0)}, 511).objectsIn({0, 0, 0}), 1u);
 }
 
 TEST("cells of many objects share the last colour") {

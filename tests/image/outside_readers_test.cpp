@@ -43,6 +43,20 @@ struct Pictures : check::ScratchFolder {
   }
 };
 
+/// A picture of few colours, 33 x 21 pixels, of which a PNG has a palette.
+struct FewColors : check::ScratchFolder {
+  explicit FewColors(bool isGrey) {
+    Image image(33, 21);
+    for (int y = 0; y < 21; ++y) {
+      for (int x = 0; x < 33; ++x) {
+        const auto level = std::uint8_t(x * y % 8 * 30);
+        image.setPixel(x, y, Rgb8{level, level, isGrey ? level : std::uint8_t(77)});
+      }
+    }
+    for (const char* name : {"a.tga", "a.png", "a.ppm"}) writePicture(image, file(name));
+  }
+};
+
 /// The command succeeds, and its output is `expected` but for white space at the end.
 void checkOutput(const std::string& command, const std::string& expected) {
   Finished run = shell(command);
@@ -111,4 +125,31 @@ TEST("Netpbm reads PNG, PPM and PFM alike") {
   checkOutput("pngtopam " + quoted(pictures.file("a.png")) + " | cmp - " + ppm, "");
   checkOutput(
       "pfmtopam -maxval=255 " + quoted(pictures.file("a.pfm")) + " | pamtopnm | cmp - " + ppm, "");
+}
+
+TEST("the readers take a PNG with a palette for the picture that it is") {
+  std::size_t readers = 0;
+  for (const bool isGrey : {false, true}) {
+    const FewColors pictures(isGrey);
+    const std::string png = quoted(pictures.file("a.png")), ppm = quoted(pictures.file("a.ppm"));
+    const std::string tga = quoted(pictures.file("a.tga"));
+    const auto check = [&](const std::string& probe, const std::string& command) {
+      if (shell(probe).status != 0) return;
+      ++readers;
+      checkOutput(command, "");
+    };
+    check("command -v pngcheck", "pngcheck -q " + png);
+    check("convert -version | grep ImageMagick",
+          "for f in " + png + " " + tga +
+              "; do convert $f -depth 8 rgb:- | cksum; done | uniq | sed 1d");
+    check("/usr/bin/python3 -c 'import PIL'",
+          "/usr/bin/python3 -c 'import sys; from PIL import Image; a, b = "
+          "(Image.open(f).convert(\"RGB\").tobytes() for f in sys.argv[1:]); "
+          "sys.exit(a != b)' " +
+              png + " " + ppm);
+    check("command -v oiiotool", "oiiotool --fail 0.0001 --diff " + tga + " " + png +
+                                     " | grep -v -e PASS -e Computing || true");
+    check("command -v pngtopam", "pngtopam " + png + " | ppmtoppm | cmp - " + ppm);
+  }
+  if (readers == 0) SKIP("no reader is installed");
 }

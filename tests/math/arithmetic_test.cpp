@@ -9,13 +9,20 @@
 
 namespace {
 
-/// Whether a file that includes math/arithmetic.h compiles with `options`.
-bool compilesWith(const std::string& options) {
-  const std::string include = check::testsFolder() + "/../include";
+/// What the compiler says of a file that includes math/arithmetic.h; "" where it compiles.
+std::string faultsWith(const std::string& options) {
+  const check::ScratchFolder folder;
+  const std::string said = folder.file("said"), include = check::testsFolder() + "/../include";
   const std::string command = std::string("echo '#include \"math/arithmetic.h\"' | ") +
                               RAYTRACER_COMPILER + " -std=c++17 -x c++ -fsyntax-only -I " +
-                              check::quoted(include) + " " + options + " - >/dev/null 2>&1";
-  return std::system(command.c_str()) == 0;
+                              check::quoted(include) + " " + options + " - >" +
+                              check::quoted(said) + " 2>&1";
+  if (std::system(command.c_str()) == 0) return "";
+  return check::contentOf(said) + "(refused)";
+}
+
+bool isRefused(const std::string& options, const std::string& reason) {
+  return faultsWith(options).find(reason) != std::string::npos;
 }
 
 TEST("a product is rounded before it is added to") {
@@ -45,16 +52,24 @@ TEST("roots are rounded to the nearest number") {
   CHECK_EQUAL(std::sqrt(square), 1 + 0x1p-52);
 }
 
-TEST("a compiler that may bend the rules of arithmetic is refused") {
-  if (!compilesWith("")) SKIP("the compiler of this build cannot be run here");
+TEST("a compiler that may bend the rules of arithmetic is refused, with the reason") {
+  if (!faultsWith("").empty()) SKIP("the compiler of this build cannot be run here");
   for (const char* options : {"-ffast-math", "-Ofast", "-ffinite-math-only"}) {
-    check::report(!compilesWith(options), __FILE__, __LINE__, options);
+    check::report(isRefused(options, "build without -ffast-math"), __FILE__, __LINE__, options);
   }
 }
 
-TEST("a processor mode that computes with more digits is refused") {
-  if (!compilesWith("-mfpmath=sse")) SKIP("no x87 here");
-  CHECK(!compilesWith("-mfpmath=387"));
+TEST("a compiler that takes 0.1 for a float is refused") {
+  const std::string option = "-fsingle-precision-constant";
+  if (!faultsWith("").empty()) SKIP("the compiler of this build cannot be run here");
+  const bool isKnown = !isRefused(option + " -Werror", "not supported");
+  if (!isKnown) SKIP("this compiler has no such option");
+  CHECK(isRefused(option, "build without " + option));
+}
+
+TEST("a processor mode that computes with more digits is refused, with the reason") {
+  if (!faultsWith("-msse2 -mfpmath=sse").empty()) SKIP("no x87 here");
+  CHECK(isRefused("-mfpmath=387", "sums and products must be rounded"));
 }
 
 }  // namespace

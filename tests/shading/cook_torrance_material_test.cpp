@@ -28,6 +28,12 @@ long double density(long double t, long double m, Distribution distribution) {
   return m * m / (pi * std::pow(m * m * c * c + s * s, 2.0L));
 }
 
+/// The part of the mirrors in GGX that a direction at this angle's cosine sees.
+long double seenFrom(long double cosine, long double alpha) {
+  const long double tangent = std::sqrt(1 - std::min(1.0L, cosine * cosine)) / cosine;
+  return 2 / (1 + std::hypot(1.0L, alpha * tangent));
+}
+
 /// Fresnel's reflectance by Snell's law for n > 1, or Schlick's for a colour.
 long double reflectance(long double cosine, long double n) {
   const long double inside = std::sqrt(1 - (1 - cosine * cosine) / (n * n));
@@ -53,7 +59,9 @@ double expectedAnswer(const Case& c, double diffuse, F fresnel) {
   const long double pi = std::acos(-1.0L), nl = dot(c.n, Vec3d(c.l)), nu = dot(c.n, c.u);
   const long double lu = dot(Vec3d(c.l), c.u), size = std::sqrt(2 + 2 * lu);
   const long double nh = std::min(1.0L, (nl + nu) / size), uh = (lu + 1) / size;
-  const long double g = std::min({1.0L, 2 * nh * nu / uh, 2 * nh * nl / uh});
+  const long double g = c.distribution == Distribution::ggx
+                            ? seenFrom(nl, c.roughness) * seenFrom(nu, c.roughness)
+                            : std::min({1.0L, 2 * nh * nu / uh, 2 * nh * nl / uh});
   const long double d = density(std::acos(nh), c.roughness, c.distribution);
   const long double f =
       diffuse / pi * (1 - fresnel(nl)) * (1 - fresnel(nu)) + d * fresnel(uh) * g / (4 * nl * nu);
@@ -62,17 +70,20 @@ double expectedAnswer(const Case& c, double diffuse, F fresnel) {
 
 /// Of light from everywhere on a surface that mirrors all (F = 1), what goes straight up. With
 /// x = tan^2 t the integral of D (n.h) G over h is that of p(x) G, p = exp(-x/a)/a for Beckmann and
-/// a/(a+x)^2 for GGX, a the squared roughness; u = n, so u.h = n.h and
-/// G = min(1, 2 n.l) = min(1, 2 (1 - x) / (1 + x)) for x < 1, beyond which l is below the surface.
+/// a/(a+x)^2 for GGX, a the squared roughness; u = n, so u.h = n.h and, with
+/// n.l = cos 2t = (1 - x) / (1 + x), G = min(1, 2 n.l) for Beckmann and seenFrom(n.l) for GGX, for
+/// x < 1, beyond which l is below the surface.
 double straightUp(double roughness, Distribution distribution) {
   const double a = roughness * roughness;
   double sum = 0;
   constexpr int kSteps = 100000;
   for (int i = 0; i < kSteps; ++i) {
     const double s = (i + 0.5) / kSteps, x = s * s * s;  // finest near 0
-    const double p =
-        distribution == Distribution::beckmann ? std::exp(-x / a) / a : a / ((a + x) * (a + x));
-    sum += p * std::min(1.0, 2 * (1 - x) / (1 + x)) * (3 * s * s) / kSteps;
+    const double nl = (1 - x) / (1 + x);
+    const double seen = distribution == Distribution::beckmann
+                            ? std::exp(-x / a) / a * std::min(1.0, 2 * nl)
+                            : a / ((a + x) * (a + x)) * double(seenFrom(nl, roughness));
+    sum += seen * (3 * s * s) / kSteps;
   }
   return sum;
 }

@@ -10,10 +10,9 @@
 #include "math/noise.h"
 #include "random.h"
 #include "shading/checkerboard.h"
-#include "shading/marble.h"
 #include "shading/noise.h"
 #include "shading/phong_material.h"
-#include "shading/wood.h"
+#include "shading/wave_texture.h"
 #include "vectors.h"
 
 namespace {
