@@ -204,7 +204,7 @@ if have clang++; then other_library; else say 'left out' 'clang++-libc++: no cla
 musl
 cross s390x s390x-linux-gnu s390x s390x unit_tests ''
 cross aarch64 aarch64-linux-gnu aarch64 arm64 unit_tests ''
-cross armhf arm-linux-gnueabihf arm armhf unit_tests ''
+cross armhf arm-linux-gnueabihf arm armhf raytracer ''
 cross riscv64 riscv64-linux-gnu riscv64 riscv64 raytracer ''
 cross i686-sse2 i686-linux-gnu i386 i386 raytracer '-msse2 -mfpmath=sse'
 end_report
