@@ -48,7 +48,7 @@ class AdaptiveSampling {
     Vec2d offset;
     Vec3f color;
   };
-  static_assert(sizeof(Taken) == kBytesPerSample);
+  static_assert(sizeof(Taken) <= kBytesPerSample);
   struct RefinedPixel {
     Pixel at;
     std::vector<Taken> samples;
