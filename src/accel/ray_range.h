@@ -19,8 +19,8 @@ struct RayRange {
   /// Not by maxAbs, to which a coordinate that is no number is nothing.
   static bool holds(const Ray& ray) {
     const Vec3d& origin = ray.getOrigin();
-    return (std::fabs(origin.x()) <= kFarthest) & (std::fabs(origin.y()) <= kFarthest) &
-           (std::fabs(origin.z()) <= kFarthest);
+    return std::fabs(origin.x()) <= kFarthest && std::fabs(origin.y()) <= kFarthest &&
+           std::fabs(origin.z()) <= kFarthest;
   }
 
   /// Inside `transform`, which stands where this range holds. A linear map makes no vector longer

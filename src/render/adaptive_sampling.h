@@ -48,7 +48,7 @@ class AdaptiveSampling {
     Vec2d offset;
     Vec3f color;
   };
-  static_assert(sizeof(Taken) <= kBytesPerSample);  // 28 where doubles lie at multiples of 4 (i386)
+  static_assert(sizeof(Taken) <= kBytesPerSample);
   struct RefinedPixel {
     Pixel at;
     std::vector<Taken> samples;
