@@ -21,16 +21,19 @@ namespace {
 
 constexpr int kMostTemporaries = 16;  // outputs open at once; a run has a handful
 
+/// True or false in a word: riscv64 locks for less.
+using Flag = std::atomic<int>;
+static_assert(Flag::is_always_lock_free, "used in a signal handler");
+
 struct Slot {
-  std::atomic<bool> taken{false};
+  Flag taken{false};
   char name[PATH_MAX] = {};
 };
 
 Slot slots[kMostTemporaries];
-std::atomic<bool> changing{false};    // a thread is creating a file and noting its name
-std::atomic<bool> lineIsOpen{false};  // on standard error
-std::atomic<bool> ending{false};      // a handler has begun: nothing may be created any more
-static_assert(std::atomic<bool>::is_always_lock_free, "used in a signal handler");
+Flag changing{false};    // a thread is creating a file and noting its name
+Flag lineIsOpen{false};  // on standard error
+Flag ending{false};      // a handler has begun: nothing may be created any more
 
 /// Blocks all signals in this thread and keeps handlers in other threads waiting, so that a file
 /// is created and noted, or neither.
@@ -64,9 +67,7 @@ std::atomic<int> passing{0};    // handlers that are just writing there
 using Milliseconds = std::uint32_t;
 std::atomic<Milliseconds> firstPass{0};
 constexpr Milliseconds kPatience = 100;
-static_assert(std::atomic<int>::is_always_lock_free &&
-                  std::atomic<Milliseconds>::is_always_lock_free,
-              "used in a signal handler");
+static_assert(std::atomic<Milliseconds>::is_always_lock_free, "used in a signal handler");
 
 /// True where someone else will end the program.
 bool pass(int signal) {
