@@ -27,14 +27,19 @@ inline std::string mesh(const std::string& path) {
   return " TriangleMesh { obj_file " + path.substr(path.rfind('/') + 1) + " } ";
 }
 
-/// Reads a scene of `text` with a camera put before it.
-inline SceneParser parse(const std::string& text) {
+/// Reads a scene of `text`, which is all of it.
+inline SceneParser parseWhole(const std::string& text) {
   struct File {
     std::string path;
     ~File() { std::remove(path.c_str()); }
-  } file{write("PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 }\n" + text,
-               ".txt")};
+  } file{write(text, ".txt")};
   return SceneParser(file.path.c_str());
+}
+
+/// Reads a scene of `text` with a camera put before it.
+inline SceneParser parse(const std::string& text) {
+  return parseWhole("PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 }\n" +
+                    text);
 }
 
 /// The colour along the ray from `origin` towards `target`.

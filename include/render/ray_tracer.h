@@ -99,7 +99,11 @@ class RayTracer {
   bool mayTrace(RayKind kind, int bounces, float weight) const;
   Vec3f visibility(const Hit& hit, const LightSample& light) const;
   Vec3d told(ColorTerm term, const Vec3d& color) const;
-  void reportLight(int index, const Hit& hit, const LightSample& light, const Vec3f& visible) const;
+  void reportLight(int index, const Hit& hit, const LightSample& light,
+                   const Vec3f& visible) const {
+    if (observer_) tellLight(index, hit, light, visible);
+  }
+  void tellLight(int index, const Hit& hit, const LightSample& light, const Vec3f& visible) const;
   template <class Event>
   void report(const Event& event) const {
     if (observer_) event(*observer_);

@@ -156,15 +156,13 @@ Vec3f RayTracer::visibility(const Hit& hit, const LightSample& light) const {
   return geometry_->occluded(way.ray, way.tmin, way.tmax) ? Vec3f() : Vec3f(1, 1, 1);
 }
 
-void RayTracer::reportLight(int index, const Hit& hit, const LightSample& light,
-                            const Vec3f& visible) const {
-  report([&](RayObserver& observer) {
-    const bool isAsked = light.isInFront && options_.shadows;
-    ShadowQuery way;
-    if (isAsked) setShadowQuery(hit, light, way);
-    observer.lightAnswers({index, light.isInFront, isAsked, visible, light.direction,
+void RayTracer::tellLight(int index, const Hit& hit, const LightSample& light,
+                          const Vec3f& visible) const {
+  const bool isAsked = light.isInFront && options_.shadows;
+  ShadowQuery way;
+  if (isAsked) setShadowQuery(hit, light, way);
+  observer_->lightAnswers({index, light.isInFront, isAsked, visible, light.direction,
                            light.distance, isAsked ? &way : nullptr});
-  });
 }
 
 /// The mirror's and the transmitted term: what the next ray brings, `bounces` before it.

@@ -68,14 +68,6 @@ std::string stillLife(double s) {
   return text + " }";
 }
 
-SceneParser parse(const std::string& text) {
-  struct File {
-    std::string path;
-    ~File() { std::remove(path.c_str()); }
-  } file{scene_text::write(text, ".txt")};
-  return SceneParser(file.path.c_str());
-}
-
 /// All bytes of the picture, 64 pixels a side.
 std::string picture(const SceneParser& scene, const Object3D& geometry) {
   Image image(64, 64);
@@ -120,11 +112,11 @@ Vec3f colorAt(const SceneParser& scene, const Object3D& geometry, const Vec3d& f
 }  // namespace
 
 TEST("a scene times any power of two from -20 to 20 has the same picture with adaptive epsilon") {
-  const SceneParser scene = parse(stillLife(1));
+  const SceneParser scene = scene_text::parseWhole(stillLife(1));
   const std::string expected = picture(scene, *scene.getGroup());
   CHECK(std::set<char>(expected.begin(), expected.end()).size() > 50);
   for (int k = -20; k <= 20; ++k) {
-    const SceneParser scaled = parse(stillLife(std::ldexp(1.0, k)));
+    const SceneParser scaled = scene_text::parseWhole(stillLife(std::ldexp(1.0, k)));
     for (const SimdLevel level : accel_test::levels()) {
       if (k % 5 != 0 && level != accel_test::levels().back()) continue;
       const CompiledScene compiled(*scaled.getGroup(), 2, level);

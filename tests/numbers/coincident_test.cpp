@@ -46,14 +46,6 @@ std::string picture(const SceneParser& scene, const Object3D& geometry,
   return bytesOf(image);
 }
 
-SceneParser parse(const std::string& text) {
-  struct File {
-    std::string path;
-    ~File() { std::remove(path.c_str()); }
-  } file{scene_text::write(text, ".txt")};
-  return SceneParser(file.path.c_str());
-}
-
 /// The picture, after every way of computing it has given the same.
 std::string theOnePicture(const SceneParser& scene, const RenderOptions& options) {
   const std::string plain = picture(scene, *scene.getGroup(), options, 1);
@@ -74,8 +66,9 @@ const char* const kMatter[] = {
 void expectFirstAlone(const std::string& object, const std::string& copy) {
   for (const char* material : kMatter) {
     const std::string lone = "MaterialIndex 0 " + object;
-    const SceneParser once = parse(sceneOf(material, lone, 1));
-    const SceneParser twice = parse(sceneOf(material, lone + " MaterialIndex 1 " + copy, 2));
+    const SceneParser once = scene_text::parseWhole(sceneOf(material, lone, 1));
+    const SceneParser twice =
+        scene_text::parseWhole(sceneOf(material, lone + " MaterialIndex 1 " + copy, 2));
     for (const Epsilon& epsilon :
          {Epsilon{Epsilon::Kind::adaptive, 0}, Epsilon{Epsilon::Kind::fixed, Epsilon::kCourse}}) {
       RenderOptions options;
@@ -131,9 +124,10 @@ TEST(
        "Triangle { vertex0 -1.1 -0.6 0.9 vertex1 1.3 -0.6 0.7 vertex2 0.1 -0.6 -1.7 }"}};
   for (const auto& pair : pairs) {
     for (const char* material : kMatter) {
-      const SceneParser once = parse(sceneOf(material, "MaterialIndex 0 " + pair[0], 1));
-      const SceneParser twice =
-          parse(sceneOf(material, "MaterialIndex 0 " + pair[0] + " " + pair[1], 2));
+      const SceneParser once =
+          scene_text::parseWhole(sceneOf(material, "MaterialIndex 0 " + pair[0], 1));
+      const SceneParser twice = scene_text::parseWhole(
+          sceneOf(material, "MaterialIndex 0 " + pair[0] + " " + pair[1], 2));
       for (const Epsilon& epsilon :
            {Epsilon{Epsilon::Kind::adaptive, 0}, Epsilon{Epsilon::Kind::fixed, Epsilon::kCourse}}) {
         RenderOptions options;
