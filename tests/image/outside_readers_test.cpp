@@ -141,7 +141,7 @@ TEST("the readers take a PNG with a palette for the picture that it is") {
     check("command -v pngcheck", "pngcheck -q " + png);
     check("convert -version | grep ImageMagick",
           "for f in " + png + " " + tga +
-              "; do convert $f -depth 8 rgb:- | cksum; done | uniq | sed 1d");
+              "; do convert \"$f\" -depth 8 rgb:- | cksum; done | uniq | sed 1d");
     check("/usr/bin/python3 -c 'import PIL'",
           "/usr/bin/python3 -c 'import sys; from PIL import Image; a, b = "
           "(Image.open(f).convert(\"RGB\").tobytes() for f in sys.argv[1:]); "
