@@ -29,10 +29,11 @@ Image readPng(const std::string& path);
 /// pixels, which takes about 1.5 microseconds a pixel; beyond that one filter is tried for a
 /// megabyte at a time, and copies are searched for less far, which takes about 0.8. With
 /// PngEffort::quick filters are chosen by the least sum of differences. Besides the picture, memory
-/// is asked for a few megabytes of it at a time. The bytes depend on nothing but the arguments.
-/// Sides are at least 1.
+/// is asked for a few megabytes of it at a time. The work is shared among `threads` >= 1 threads at
+/// most; the bytes do not depend on them, nor on anything but the picture and the effort. Sides are
+/// at least 1.
 enum class PngEffort { automatic, quick };
-Bytes encodePng(const Image& image, PngEffort effort = PngEffort::automatic);
+Bytes encodePng(const Image& image, PngEffort effort = PngEffort::automatic, int threads = 1);
 
 /// Writes what encodePng gives by OutputFile, piece by piece. Throws OutputError.
-void writePng(const Image& image, const std::string& path);
+void writePng(const Image& image, const std::string& path, int threads = 1);

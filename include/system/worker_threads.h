@@ -12,3 +12,9 @@ int hardwareThreads();
 /// calls share those it gives. The first exception that any call throws is thrown again here,
 /// after all have ended; std::system_error where not even one thread can be had.
 void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work);
+
+/// Calls work(0) .. work(count - 1), as runOnThreads does but on at most `threads` threads, each of
+/// which takes the next call when it is done with one; on the calling thread where one is enough.
+/// After an exception no further call is begun.
+void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
+                    const std::function<void(std::size_t)>& work);

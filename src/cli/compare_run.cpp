@@ -16,6 +16,7 @@
 #include "cli/render_run.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -57,7 +58,8 @@ ComparedPair compareFiles(const PicturePair& files, const CompareOptions& option
   attempt(pair, [&] {
     const Image expected = readImage(files.expected), actual = readImage(files.actual);
     comparePictures(expected, actual, options, pair);
-    if (!options.diff.empty()) writePicture(differencePicture(expected, actual), options.diff);
+    if (options.diff.empty()) return;
+    writePicture(differencePicture(expected, actual), options.diff, hardwareThreads());
   });
   return pair;
 }

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <map>
@@ -89,13 +88,9 @@ Digest fileDigest(const std::string& path, int threads) {
   const auto size = std::size_t(file.regularSize());
   const std::size_t count = (size + kPiece - 1) / kPiece;
   std::vector<Digest> pieces(count);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&](int) {
-    for (std::size_t i; (i = next++) < count;) {
-      pieces[i] = pieceDigest(file, path, i * kPiece, std::min(kPiece, size - i * kPiece));
-    }
-  };
-  runOnThreads(int(std::clamp(count, std::size_t(1), std::size_t(threads))), kStack, work);
+  shareOnThreads(threads, kStack, count, [&](std::size_t i) {
+    pieces[i] = pieceDigest(file, path, i * kPiece, std::min(kPiece, size - i * kPiece));
+  });
   Sha256 hash;
   for (const Digest& piece : pieces) hash.add(piece);
   hash.addNumber(size);

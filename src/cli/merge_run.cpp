@@ -14,6 +14,7 @@
 #include "image/tga.h"
 #include "scene/input_error.h"
 #include "system/open_file.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -117,7 +118,7 @@ void write(const std::vector<PartFile>& parts, const std::string& path) {
       image.setPixel(x, height - 1 - y, Rgb8{pixel[2], pixel[1], pixel[0]});
     }
   }
-  writePicture(image, path);
+  writePicture(image, path, hardwareThreads());
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ bool wantsFloats(const Output& output) {
   return isTraced && formatOf(output.file) == PictureFormat::pfm;
 }
 
-void write(const Output& output) {
+void write(const Output& output, int threads) {
   if (output.kind == Output::Kind::rays) {
     return writeFile(output.file, output.text.data(), output.text.size());
   }
@@ -41,7 +41,7 @@ void write(const Output& output) {
   if (formatOf(output.file) == PictureFormat::tga) {
     return writeTga(output.image, output.file, output.place);
   }
-  writePicture(output.image, output.file);
+  writePicture(output.image, output.file, threads);
 }
 
 }  // namespace
@@ -83,8 +83,10 @@ void makeImages(std::vector<Output>& outputs, const Options& options) {
   }
 }
 
-std::size_t writeAll(const std::vector<Output>& outputs) {
+std::size_t writeAll(const std::vector<Output>& outputs, int threads) {
   std::size_t written = 0;
-  for (const Output& output : outputs) written += succeeds(output, [&] { write(output); });
+  for (const Output& output : outputs) {
+    written += succeeds(output, [&] { write(output, threads); });
+  }
   return written;
 }

@@ -28,5 +28,6 @@ void dropUnwritable(std::vector<Output>& outputs);
 /// that of the filter. Throws std::bad_alloc where memory is short.
 void makeImages(std::vector<Output>& outputs, const Options& options);
 
-/// Writes every output, complaining of each that fails, and returns how many were written.
-std::size_t writeAll(const std::vector<Output>& outputs);
+/// Writes every output with at most `threads` threads, complaining of each that fails, and returns
+/// how many were written.
+std::size_t writeAll(const std::vector<Output>& outputs, int threads);

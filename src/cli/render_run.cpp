@@ -164,7 +164,7 @@ int renderScene(const Options& options) {
   setPlaces(scene, notes.digest, options, outputs);
   const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
   watch.restart();
-  const std::size_t written = writeAll(outputs);
+  const std::size_t written = writeAll(outputs, threadCount(options));
   if (rendered.checkpoint && written == wanted) rendered.checkpoint->remove();
   stats.writeSeconds = watch.restart();
   const std::string statsText = options.stats ? stats.text() : "";

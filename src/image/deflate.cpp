@@ -6,6 +6,7 @@
 #include "image/block_writer.h"
 #include "image/cheapest_tokens.h"
 #include "image/checksum.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -14,6 +15,12 @@ using deflate::Costs;
 using deflate::CostsFrom;
 using deflate::SymbolCounts;
 using deflate::Token;
+
+/// Bytes that threads work on apart, at most: each has blocks of its own, and begins with a look at
+/// the window before it.
+constexpr std::size_t kPiece = std::size_t(1) << 18;
+constexpr std::size_t kStack = std::size_t(1) << 18;  // bytes
+static_assert(kPiece <= deflate::kLongestStretch, "sums of costs fit 32 bits");
 
 std::size_t bytesOf(const std::vector<Token>& tokens, std::size_t first, std::size_t last) {
   std::size_t sum = 0;
@@ -41,33 +48,49 @@ void putBigEndian(std::uint32_t value, BitWriter& out) {
 
 }  // namespace
 
-DeflateWriter::DeflateWriter(unsigned depth, int rounds) : depth_(depth), rounds_(rounds) {
+/// A part of the bytes that blocks of its own stand for.
+struct DeflateWriter::Piece {
+  std::size_t from, to;
+  std::vector<Token> tokens;
+  std::vector<std::size_t> cuts;  // see splitIntoBlocks
+};
+
+DeflateWriter::DeflateWriter(unsigned depth, int rounds, int threads)
+    : depth_(depth), rounds_(rounds), threads_(threads) {
   out_.put(0x78, 8);  // deflate with a window of 32768 bytes
   out_.put(0xDA, 8);  // compressed as well as it could; 0x78DA is a multiple of 31
 }
 
 void DeflateWriter::append(const Bytes& bytes, std::size_t from, const Costs& costs) {
   checksum_ = adler32(bytes.data() + from, bytes.size() - from, checksum_);
-  while (from < bytes.size()) {
-    const std::size_t to = from + std::min(bytes.size() - from, deflate::kLongestStretch);
-    appendStretch(bytes.data(), from, to, costs);
-    from = to;
+  const std::size_t size = bytes.size() - from, count = (size + kPiece - 1) / kPiece;
+  std::vector<Piece> pieces(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    pieces[i].from = from + size * i / count;
+    pieces[i].to = from + size * (i + 1) / count;
+  }
+  shareOnThreads(threads_, kStack, count,
+                 [&](std::size_t i) { findTokens(bytes.data(), costs, pieces[i]); });
+  for (const Piece& piece : pieces) write(bytes.data() + piece.from, piece);
+}
+
+void DeflateWriter::findTokens(const std::uint8_t* bytes, const Costs& costs, Piece& piece) const {
+  const CopyLists lists(bytes, piece.from, piece.to, depth_);
+  const std::uint8_t* first = bytes + piece.from;
+  piece.tokens = deflate::cheapestTokens(first, lists, {{0, costs}});
+  piece.cuts = deflate::splitIntoBlocks(piece.tokens);
+  for (int i = 0; i < rounds_; ++i) {
+    piece.tokens = deflate::cheapestTokens(first, lists, costsOf(piece.tokens, piece.cuts));
+    piece.cuts = deflate::splitIntoBlocks(piece.tokens);
   }
 }
 
-void DeflateWriter::appendStretch(const std::uint8_t* bytes, std::size_t from, std::size_t to,
-                                  const Costs& costs) {
-  const CopyLists lists(bytes, from, to, depth_);
-  const std::uint8_t* at = bytes + from;
-  std::vector<Token> tokens = deflate::cheapestTokens(at, lists, {{0, costs}});
-  std::vector<std::size_t> cuts = deflate::splitIntoBlocks(tokens);
-  for (int i = 0; i < rounds_; ++i) {
-    tokens = deflate::cheapestTokens(at, lists, costsOf(tokens, cuts));
-    cuts = deflate::splitIntoBlocks(tokens);
-  }
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const std::size_t size = bytesOf(tokens, cuts[i], cuts[i + 1]);
-    deflate::writeBlock(tokens, cuts[i], cuts[i + 1], at, size, false, out_);
+/// `at` is where the piece begins.
+void DeflateWriter::write(const std::uint8_t* at, const Piece& piece) {
+  for (std::size_t i = 0; i + 1 < piece.cuts.size(); ++i) {
+    const std::size_t first = piece.cuts[i], last = piece.cuts[i + 1];
+    const std::size_t size = bytesOf(piece.tokens, first, last);
+    deflate::writeBlock(piece.tokens, first, last, at, size, false, out_);
     at += size;
   }
 }

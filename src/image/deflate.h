@@ -7,8 +7,9 @@
 class DeflateWriter {
  public:
   /// `depth` is how far copies are searched for (see CopyTree), `rounds` >= 0 how often the tokens
-  /// are chosen anew by what they cost in the blocks of the round before.
-  DeflateWriter(unsigned depth, int rounds);
+  /// are chosen anew by what they cost in the blocks of the round before. The work is shared among
+  /// `threads` >= 1 threads at most; the stream does not depend on them.
+  DeflateWriter(unsigned depth, int rounds, int threads = 1);
 
   /// Compresses bytes[from..size). What comes before `from` was compressed by earlier calls: the
   /// last 32768 bytes of that at least, or all where it was less. `costs` is what symbols probably
@@ -22,11 +23,12 @@ class DeflateWriter {
   Bytes take() { return out_.take(); }
 
  private:
-  void appendStretch(const std::uint8_t* bytes, std::size_t from, std::size_t to,
-                     const deflate::Costs& costs);
+  struct Piece;
+  void findTokens(const std::uint8_t* bytes, const deflate::Costs& costs, Piece& piece) const;
+  void write(const std::uint8_t* bytes, const Piece& piece);
 
   unsigned depth_;
-  int rounds_;
+  int rounds_, threads_;
   std::uint32_t checksum_ = 1;
   BitWriter out_;
 };

@@ -40,12 +40,12 @@ PictureFormat formatOf(const std::string& path) {
   return PictureFormat::tga;
 }
 
-void writePicture(const Image& image, const std::string& path) {
+void writePicture(const Image& image, const std::string& path, int threads) {
   switch (formatOf(path)) {
     case PictureFormat::tga:
       return writeTga(image, path);
     case PictureFormat::png:
-      return writePng(image, path);
+      return writePng(image, path, threads);
     case PictureFormat::ppm:
       return writePpm(image, path);
     case PictureFormat::pfm:

@@ -61,13 +61,13 @@ Bytes palette(const png::Samples& samples) {
 
 /// Hands the file to put(bytes), piece by piece.
 template <class Put>
-void encode(const Image& image, Effort effort, const Put& put) {
+void encode(const Image& image, Effort effort, int threads, const Put& put) {
   const png::Samples samples(image);
   put(signature());
   put(header(image, samples));
   if (samples.colorType() == png::kPalette) put(palette(samples));
-  png::FilteredRows rows(samples, image.Height(), effort.choice, effort.trialDepth);
-  DeflateWriter writer(effort.depth, effort.rounds);
+  png::FilteredRows rows(samples, image.Height(), effort.choice, effort.trialDepth, threads);
+  DeflateWriter writer(effort.depth, effort.rounds, threads);
   while (!rows.done()) {
     rows.takeStretch();
     writer.append(rows.bytes(), rows.from(), rows.costs());
@@ -79,16 +79,16 @@ void encode(const Image& image, Effort effort, const Put& put) {
 
 }  // namespace
 
-Bytes encodePng(const Image& image, PngEffort effort) {
+Bytes encodePng(const Image& image, PngEffort effort, int threads) {
   Bytes all;
-  encode(image, effort == PngEffort::quick ? kQuick : effortFor(image),
+  encode(image, effort == PngEffort::quick ? kQuick : effortFor(image), threads,
          [&all](const Bytes& piece) { all.insert(all.end(), piece.begin(), piece.end()); });
   return all;
 }
 
-void writePng(const Image& image, const std::string& path) {
+void writePng(const Image& image, const std::string& path, int threads) {
   OutputFile file(path);
-  encode(image, effortFor(image),
+  encode(image, effortFor(image), threads,
          [&file](const Bytes& piece) { file.write(piece.data(), piece.size()); });
   file.commit();
 }

@@ -84,3 +84,18 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
   }
   if (shared.failure) std::rethrow_exception(shared.failure);
 }
+
+void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
+                    const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  const auto takeCalls = [&](int) {
+    try {
+      for (std::size_t i; (i = next++) < count;) work(i);
+    } catch (...) {
+      next = count;
+      throw;
+    }
+  };
+  const auto most = int(std::min(count, std::size_t(threads)));
+  most <= 1 ? takeCalls(0) : runOnThreads(most, stackBytes, takeCalls);
+}
