@@ -16,6 +16,7 @@
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "scene/whole_file.h"
+#include "system/folder_lock.h"
 
 namespace {
 
@@ -161,6 +162,7 @@ bool beginsWith(const std::string& text, const std::string& start) {
 
 /// Adds the rows to what is in the file, which begins with the heading unless it is new or empty.
 void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path) {
+  const FolderLock lock(path);  // two runs at once would each lose the other's rows
   std::error_code ignored;
   std::string text, reason;
   if (fs::is_regular_file(path, ignored) && !readWholeFile(path, text, reason)) {

@@ -162,6 +162,21 @@ TEST("-csv adds a row for each pair below one heading, and refuses other files")
   CHECK_EQUAL(check::contentOf(desk.file("notes.txt")), "my notes\n");
 }
 
+TEST("many runs at once add their rows to one table, and none is lost") {
+  const Desk desk;
+  desk.put("a.tga", greys(0, 0));
+  std::filesystem::create_symlink("t.csv", desk.file("link"));
+  std::string all = "a.tga a.tga -csv t.csv";
+  for (int run = 1; run < 12; ++run) {
+    all += " & " + quoted(RAYTRACER_PROGRAM) + " -compare a.tga a.tga -csv " +
+           (run % 2 == 0 ? "t.csv" : "link");
+  }
+  desk.run(all + "; wait");
+  const std::string table = check::contentOf(desk.file("t.csv"));
+  CHECK_EQUAL(std::count(table.begin(), table.end(), '\n'), 1 + 12);
+  CHECK_EQUAL(desk.fileCount(), std::size_t(3));
+}
+
 TEST("-csv has every column for what is alone, of another size or unreadable") {
   const Desk desk;
   for (const char* name : {"e/alone.png", "e/size.png", "e/bad.png"}) desk.put(name, greys(0, 0));
