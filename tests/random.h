@@ -1,10 +1,13 @@
 // Seeded random numbers for tests: the same on every machine (the standard fixes mt19937_64, but
-// not its distributions).
+// not its distributions). C++ leaves open which argument of a call or operand of * is evaluated
+// first, so a test draws once per statement or in braces {}, whose order is fixed: the cases of a
+// seed are then the same from every compiler.
 #pragma once
 #include <cstdint>
 #include <random>
 
 #include "math/functions.h"
+#include "math/matrix.h"
 #include "math/vec3.h"
 
 class Random {
@@ -31,6 +34,21 @@ class Random {
       const Vec3d v = inCube(-1, 1);
       if (dot(v, v) <= 1 && dot(v, v) > 1e-4) return normalize(v);
     }
+  }
+  /// In any direction, of a length drawn by uniform(low, high).
+  Vec3d ofLength(double low, double high) {
+    const Vec3d direction = unitVector();
+    return direction * uniform(low, high);
+  }
+  /// In any direction, of a length drawn by logUniform(low, high).
+  Vec3d ofLogLength(double low, double high) {
+    const Vec3d direction = unitVector();
+    return direction * logUniform(low, high);
+  }
+  /// About any axis, by 0 to 360 degrees.
+  Matrix rotation() {
+    const Vec3d axis = unitVector();
+    return Matrix::rotation(axis, uniform(0, 360));
   }
 
  private:

@@ -17,7 +17,7 @@ sanitized() {
 
 # all_tests NAME: the whole suite.
 all_tests() {
-  if (cd "$build/sanitize/$1" && ctest --output-on-failure); then
+  if (cd "$build/sanitize/$1" && ctest --output-on-failure -j"$(count_jobs)"); then
     say clean "$1: the suite"
   else
     say FAILED "$1: the suite"

@@ -149,10 +149,10 @@ enum class Way {
   everything,  ///< the cells tell too little: the plain objects are asked
 };
 
-/// True for numbers whose squares and cubes are in range; false for NaN.
+/// True for numbers whose squares and cubes are in range; false for NaN, which maxAbs passes over.
 bool isUsual(const Vec3d& v, double least, double most) {
   const double largest = maxAbs(v);
-  return v == v && largest >= least && largest <= most;
+  return largest >= least && largest <= most && std::isfinite(v.x() + v.y() + v.z());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ std::string spanText(const char* one, int from, int to) {
 }
 
 std::string placeText(const Place& place, int width) {
-  const std::string rows = spanText("row", place.top, place.bottom);
+  std::string rows = spanText("row", place.top, place.bottom);
   if (place.left == 0 && place.right == width) return rows;
   return spanText("pixel", place.left, place.right) + " of " + rows;
 }

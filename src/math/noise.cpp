@@ -69,7 +69,10 @@ double noise(const Vec3d& p) {
 double fractalNoise(const Vec3d& p, int octaves) {
   assert(octaves >= 1 && octaves <= kMaxOctaves);
   double sum = 0, scale = 1;
-  for (int i = 0; i < octaves; ++i, scale *= 2) sum += noise(p * scale) / scale;
+  for (int i = 0; i < octaves; ++i) {
+    sum += noise(p * scale) / scale;
+    scale *= 2;
+  }
   return sum;
 }
 

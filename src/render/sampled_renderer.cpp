@@ -20,8 +20,9 @@ int tilesAlong(int pixels, int tileSize) { return (pixels + tileSize - 1) / tile
 /// there would be too few tiles to keep all threads busy.
 int tileSizeFor(Vec2<int> picture, const Sampler& sampler, int margin, int threads) {
   const auto isTooLarge = [&](int size) {
-    const auto side = std::size_t(size + 2 * margin);
-    const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
+    const int side = size + 2 * margin;
+    const std::size_t pixels = std::size_t(side) * std::size_t(side);
+    const std::size_t samples = pixels * std::size_t(sampler.getNumFirst());
     const bool tooMany = samples * AdaptiveSampling::kBytesPerSample > kMostTileBytes;
     const int tiles = tilesAlong(picture.x(), size) * tilesAlong(picture.y(), size);
     return (isRefined(sampler) && tooMany) || tiles / kTilesPerThread < threads;

@@ -174,7 +174,8 @@ TEST("leaves are of one kind, and other objects are alone") {
   Random random(7);
   std::vector<BuildItem> items;
   for (std::size_t i = 0; i < 3000; ++i) {
-    items.push_back(itemAt(random.inCube(-1, 1), 0.02, i, kKinds[random.index(3)]));
+    const Vec3d center = random.inCube(-1, 1);
+    items.push_back(itemAt(center, 0.02, i, kKinds[random.index(3)]));
   }
   checkTree("mixed", items, treeOf(items, 1));
   // All at one place, too, where no split by centres can tell them apart.

@@ -54,7 +54,7 @@ std::string stillLife(double s) {
   Random random(51);
   for (int i = 0; i < 12; ++i) {
     const double radius = random.uniform(0.1, 0.6);
-    const Vec3d center(random.uniform(-3, 3), radius, random.uniform(-3, 3));
+    const Vec3d center{random.uniform(-3, 3), radius, random.uniform(-3, 3)};
     text += std::string(i == 6 ? " MaterialIndex 2" : "") + " Sphere { center" + word(center * s) +
             "radius" + word(radius * s) + "}";
   }
@@ -164,7 +164,7 @@ TEST("a cube that stands on the floor lets no light under it and none into it") 
       // walls, lit from outside, show their dark side.
       const double x = i % 3 ? random.uniform(-1, 1) : 1 - random.logUniform(1e-6, 1);
       const double z = i % 2 ? x : random.uniform(-1, 1);
-      const Vec3d inside = Vec3d(random.uniform(-0.9, 0.9), 1, random.uniform(-0.9, 0.9)) * s;
+      const Vec3d inside = Vec3d{random.uniform(-0.9, 0.9), 1, random.uniform(-0.9, 0.9)} * s;
       const Vec3f color = colorAt(scene, compiled, inside, Vec3d(x, 0.3, z) * s);
       cases.expect(color == Vec3f(), [&] { return check::show(color) + " inside"; });
       // The top is lit everywhere: red, without acne.

@@ -116,7 +116,7 @@ TEST("an object of a class of its own works, bounded or not, alone, among many a
     Comparison comparison(group, "blocks");
     Random random(31);
     for (int i = 0; i < 3000; ++i) {
-      const Vec3d aim = Vec3d(random.uniform(0, 40), random.uniform(-1, 5), 0);
+      const Vec3d aim{random.uniform(0, 40), random.uniform(-1, 5), 0};
       const Ray ray = rayTo(random, aim, 3);
       comparison.ask(ray, 0, kInf);
       comparison.askCrossings(ray);
@@ -219,7 +219,7 @@ TEST("rays from beyond all measure, with odd directions and numbers, neither cra
   Random random(35);
   const double odd[] = {0, -0.0, 1, 1e-300, 5e-324, 1e100, kInf, -kInf, std::nan("")};
   for (int i = 0; i < 4000; ++i) {
-    const Vec3d aim(random.uniform(0, 10), random.index(2) ? 0 : random.uniform(0, 10), 0);
+    const Vec3d aim{random.uniform(0, 10), random.index(2) ? 0 : random.uniform(0, 10), 0};
     const double away = random.logUniform(1e3, 1e280);
     Vec3d direction = random.index(2) ? random.unitVector() : Vec3d();
     if (direction == Vec3d()) direction[random.index(3)] = random.index(2) ? 1 : -1;
@@ -291,7 +291,8 @@ TEST("one object under 200 nested Transforms") {
   addRow(owner, group, 8);
   Comparison comparison(group, "nested");
   for (int i = 0; i < 1500; ++i) {
-    const Vec3d aim = random.unitVector() * (random.index(2) ? 0.5 : random.uniform(0, 1.2));
+    const double distance = random.index(2) ? 0.5 : random.uniform(0, 1.2);
+    const Vec3d aim = random.unitVector() * distance;
     comparison.ask(rayTo(random, aim, 3), 0, kInf);
     if (i < 100) comparison.askCrossings(rayTo(random, aim, 3));
   }
@@ -306,7 +307,7 @@ TEST("Transforms that go far away and come back are hit where the plain objects 
     const double away = random.logUniform(1e3, 1e13);
     for (int i = 0; i < 8; ++i) {
       const Vec3d offset = random.unitVector() * away;
-      const Matrix turn = Matrix::rotation(random.unitVector(), random.uniform(0, 360));
+      const Matrix turn = random.rotation();
       const Matrix squeeze = Matrix::scale({1, random.logUniform(1e-5, 1e5), 1});
       Matrix back;
       (Matrix::translation(offset) * turn * squeeze).inverse(back);
@@ -317,7 +318,7 @@ TEST("Transforms that go far away and come back are hit where the plain objects 
     Comparison comparison(group, "away " + check::show(away));
     for (int i = 0; i < 300; ++i) {
       const Vec3d center(2.0 * random.index(8), 0, 0);
-      const Vec3d rim = center + random.unitVector() * (0.5 * random.uniform(0.999, 1.001));
+      const Vec3d rim = center + random.ofLength(0.999, 1.001) * 0.5;
       comparison.ask(rayTo(random, random.index(2) ? rim : center, 2), 0, kInf);
     }
     expectSame(comparison, 100);

@@ -72,7 +72,7 @@ TEST("from inside the grid, along its cells and from tmin = -infinity the neares
     direction[random.index(3)] = random.index(2) ? 1 : -1;
     const double tmin = i % 3 == 0 ? -kInf : 0;
     comparison.ask(Ray(scene.somewhere(), direction), tmin, kInf);
-    comparison.ask(Ray(scene.somewhere(), random.unitVector()), tmin, kInf);
+    comparison.ask(Ray{scene.somewhere(), random.unitVector()}, tmin, kInf);
   }
   CHECK_EQUAL(comparison.firstFailure(), "");
   CHECK(comparison.hits() > 1000);
@@ -159,7 +159,7 @@ TEST("rays from further away than a thousand sizes of the scene find the same hi
   Comparison comparison(scene.root(), "far");
   Random random(3);
   for (int i = 0; i < 600; ++i) {
-    const Vec3d from = random.unitVector() * random.logUniform(500, 1e15);
+    const Vec3d from = random.ofLogLength(500, 1e15);
     const Vec3d aim = random.index(2) ? scene.target() : scene.somewhere() * 5;
     comparison.ask(Ray(from, normalize(aim - from)), 0, kInf);
   }

@@ -92,7 +92,8 @@ TEST("a cell counts the objects that have a part in it, and its colour follows")
   Random random(5);
   std::vector<Sphere> spheres;
   for (int i = 0; i < 60; ++i) {
-    spheres.emplace_back(random.inCube(-3, 3), random.uniform(0.05, 1), owner.material(0));
+    const Vec3d center = random.inCube(-3, 3);
+    spheres.emplace_back(center, random.uniform(0.05, 1), owner.material(0));
   }
   for (const Sphere& sphere : spheres) group.addObject(&sphere);
   const GridView view(group, {7, 9, 5}, palette);

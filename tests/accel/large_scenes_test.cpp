@@ -126,7 +126,7 @@ TEST("a million Transforms of one sphere each show it in its place") {
   check::Cases cases;
   Random random(42);
   for (int k = 0; k < 2000; ++k) {
-    const Vec3d above(4.0 * random.index(side), 4.0 * random.index(side), 3);
+    const Vec3d above{4.0 * random.index(side), 4.0 * random.index(side), 3};
     Hit hit;
     scene.intersect(Ray(above, {0, 0, -1}), hit, 0);
     cases.expect(hit.getT() == 2.5 && hit.getNormal() == Vec3d(0, 0, 1),

@@ -19,7 +19,8 @@ Vec3d nearEdge(Random& random, const Vec3d& a, const Vec3d& b) {
   const double along = random.index(3) ? random.uniform(0, 1) : random.index(2);
   const Vec3d on = a + (b - a) * along;
   if (random.index(4) == 0) return on;
-  return on + random.unitVector() * (length(b - a) * anyFraction(random));
+  const double off = length(b - a) * anyFraction(random);
+  return on + random.unitVector() * off;
 }
 
 Vec3d startOf(Random& random, const Vec3d& aim, double size) {
@@ -38,7 +39,8 @@ void askWithBounds(Random& random, Comparison& comparison, const Object3D& objec
   comparison.ask(ray, 0, kInf);
   Hit hit;
   if (random.index(4) || !object.intersect(ray, hit, 0)) return;
-  const double t = hit.getT() * (1 + (random.index(2) ? 1 : -1) * anyFraction(random));
+  const double off = anyFraction(random);
+  const double t = hit.getT() * (1 + (random.index(2) ? off : -off));
   comparison.ask(ray, 0, t);
   comparison.ask(ray, t, kInf);
   comparison.ask(ray, hit.getT(), kInf);
@@ -118,7 +120,7 @@ TEST("rays past edges and vertices of loose triangles hit what the double functi
     Owner owner;
     Group group;
     const double size = random.index(3) ? 1 : random.logUniform(1e-18, 1e18);
-    const Vec3d middle = random.unitVector() * (random.index(2) ? 0 : random.logUniform(1, 1e6));
+    const Vec3d middle = random.index(2) ? Vec3d() : random.ofLogLength(1, 1e6);
     std::vector<Edge> edges;
     for (int i = 0; i < 12; ++i) {
       const double length = random.index(3) ? 1 : random.logUniform(1e-30, 1);
@@ -146,7 +148,7 @@ TEST("rays past the rims of spheres hit what the double function says") {
     Owner owner;
     Group group;
     const double size = random.index(3) ? 1 : random.logUniform(1e-18, 1e18);
-    const Vec3d middle = random.unitVector() * (random.index(2) ? 0 : random.logUniform(1, 1e6));
+    const Vec3d middle = random.index(2) ? Vec3d() : random.ofLogLength(1, 1e6);
     std::vector<const Sphere*> spheres;
     for (int i = 0; i < 12; ++i) {
       const double radius = random.index(3) ? random.uniform(0.1, 1) : random.logUniform(1e-25, 1);
@@ -187,7 +189,7 @@ TEST("of layers of triangles next to each other the nearest is found, and none b
     std::vector<Vec3f> vertices;
     std::vector<MeshGeometry::Face> faces;
     const double gap = random.logUniform(1e-9, 1e-2);
-    const Matrix turn = Matrix::rotation(random.unitVector(), random.uniform(0, 360));
+    const Matrix turn = random.rotation();
     for (std::uint32_t i = 0; i < 16; ++i) {
       Vec3d corners[3] = {{-3, -3, 0}, {3, -3, 0}, {0, 4, 0}};
       for (Vec3d& corner : corners) corner[2] = random.uniform(-1, 1) * gap;
@@ -211,7 +213,7 @@ TEST("of layers of triangles next to each other the nearest is found, and none b
       // Every other eye is close above the layers, where the error of the distance counts most.
       const double away = batch % 2 ? 9 : random.logUniform(1e-3, 0.3);
       const Vec3d eye = turn.transformPoint(
-          Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.logUniform(1e-6, 1)) * away);
+          Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), random.logUniform(1e-6, 1)} * away);
       std::vector<Ray> tile;
       std::vector<Hit> bounds;
       std::vector<ShadowQuery> shadows;
@@ -219,7 +221,8 @@ TEST("of layers of triangles next to each other the nearest is found, and none b
         const Vec3d at =
             turn.transformPoint({random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0});
         tile.push_back(Ray(eye, normalize(at - eye)));
-        const double near = 1 + (random.index(2) ? gap : -gap) * random.logUniform(1e-9, 10);
+        const double off = gap * random.logUniform(1e-9, 10);
+        const double near = 1 + (random.index(2) ? off : -off);
         bounds.emplace_back(random.index(2) ? kInf : length(at - eye) * near);
         // To the same point as a lamp, from on, before or behind the layers.
         const Vec3d from = eye + (at - eye) * near;

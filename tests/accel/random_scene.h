@@ -63,7 +63,7 @@ class RandomScene {
     if (targets_.empty()) return somewhere();
     Vec3d point = targets_[std::size_t(random_.index(int(targets_.size())))];
     if (random_.index(2) == 0) {
-      point += random_.unitVector() * (size_ * random_.logUniform(1e-17, 1e-3));
+      point += random_.ofLogLength(1e-17, 1e-3) * size_;
     }
     return point;
   }
@@ -72,10 +72,12 @@ class RandomScene {
   Ray ray() {
     const Vec3d aim = target();
     switch (random_.index(6)) {
-      case 0:
-        return along(somewhere(), somewhere() - center_);
+      case 0: {
+        const Vec3d from = somewhere();
+        return along(from, somewhere() - center_);
+      }
       case 1: {  // from far away
-        const Vec3d far = center_ + random_.unitVector() * (size_ * random_.logUniform(1e3, 1e9));
+        const Vec3d far = center_ + random_.ofLogLength(1e3, 1e9) * size_;
         return along(far, aim - far);
       }
       case 2: {  // along an axis
@@ -150,6 +152,8 @@ class RandomScene {
   }
   const Material* material() { return owner_.material(random_.index(4)); }
   double extent() { return size_ * random_.logUniform(1e-3, 0.5); }
+  /// In any direction, of a length as extent's.
+  Vec3d stretch() { return random_.ofLogLength(1e-3, 0.5) * size_; }
   void aimAt(const Matrix& toWorld, const Vec3d& p) {
     targets_.push_back(toWorld.transformPoint(p));
   }
@@ -162,10 +166,10 @@ class RandomScene {
     return &owner_.make<Sphere>(center, radius, material());
   }
   const Object3D* triangle(const Matrix& toWorld) {
-    const Vec3d a = somewhere(), b = a + random_.unitVector() * extent();
+    const Vec3d a = somewhere(), b = a + stretch();
     // Some are flat or nearly so.
     const double width = random_.index(5) ? 1 : random_.index(2) ? 0 : 1e-12;
-    const Vec3d c = a + (b - a) * 0.5 + random_.unitVector() * (extent() * width);
+    const Vec3d c = a + (b - a) * 0.5 + stretch() * width;
     aimEdges(toWorld, a, b, c);
     return &owner_.make<Triangle>(a, b, c, material());
   }
@@ -201,16 +205,16 @@ class RandomScene {
   }
   const Object3D* transform(const Matrix& toWorld, int depth) {
     const Matrix toOrigin = Matrix::translation(-center_);
-    const Vec3d factors(factor(), factor(), random_.index(2) ? factor() : 1);
-    const Matrix matrix = Matrix::translation(center_ + random_.inCube(-0.5, 0.5) * size_) *
-                          Matrix::rotation(random_.unitVector(), random_.uniform(0, 360)) *
+    const Vec3d factors{factor(), factor(), random_.index(2) ? factor() : 1};
+    const Matrix turn = random_.rotation();
+    const Matrix matrix = Matrix::translation(center_ + random_.inCube(-0.5, 0.5) * size_) * turn *
                           Matrix::scale(factors) * toOrigin;
     last_ = nullptr;  // an object stands in one space only, or a ray could not say which it leaves
     return &owner_.make<Transform>(matrix, object(toWorld * matrix, depth + 1));
   }
   double factor() {
-    const double most = random_.index(4) ? 2 : 1e4;
-    return random_.logUniform(1 / most, most) * (random_.index(3) ? 1 : -1);
+    const double most = random_.index(4) ? 2 : 1e4, size = random_.logUniform(1 / most, most);
+    return random_.index(3) ? size : -size;
   }
 
   Random random_;

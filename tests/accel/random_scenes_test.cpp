@@ -35,7 +35,8 @@ void askFromSurface(RandomScene& scene, Comparison& comparison) {
   if (!scene.root().intersect(scene.ray(), hit, 0)) return;
   Random& random = scene.random();
   const double epsilon = random.index(3) ? hit.getMagnitude() * 0x1p-31 : 0;
-  const Ray away = leaving(hit, random.unitVector(), random.index(2) != 0);
+  const Vec3d way = random.unitVector();
+  const Ray away = leaving(hit, way, random.index(2) != 0);
   comparison.ask(away, epsilon, random.index(2) ? kInf : scene.size());
   const Vec3d toLamp = scene.somewhere() - hit.getIntersectionPoint();
   const Ray shadow = leaving(hit, normalize(toLamp), random.index(2) != 0);
@@ -46,7 +47,7 @@ void askFromSurface(RandomScene& scene, Comparison& comparison) {
 /// A tile of eye rays through one point, all with the same or with a bound of their own.
 void askTile(RandomScene& scene, Comparison& comparison, int count) {
   Random& random = scene.random();
-  const Vec3d eye = scene.target() + random.unitVector() * (scene.size() * random.uniform(0, 9));
+  const Vec3d aim = scene.target(), eye = aim + random.ofLength(0, 9) * scene.size();
   const Vec3d middle = scene.target() - eye;
   const double width = random.logUniform(1e-6, 3) * length(middle);
   std::vector<Ray> rays;
@@ -76,14 +77,17 @@ void askOtherBatches(RandomScene& scene, Comparison& comparison, int count) {
     parallel.emplace_back(scene.target() - direction * (2 * scene.size()), direction);
     mixed.push_back(scene.ray());
   }
-  comparison.askBatch(parallel, scene.tmin(), scene.tmax());
-  comparison.askBatch(mixed, scene.tmin(), scene.tmax());
+  for (const auto& rays : {parallel, mixed}) {
+    const double tmin = scene.tmin();
+    comparison.askBatch(rays, tmin, scene.tmax());
+  }
 }
 
 /// Shadow rays from all over a surface that end in one lamp.
 void askLamp(RandomScene& scene, Comparison& comparison, int count) {
   Random& random = scene.random();
-  const Vec3d lamp = scene.somewhere() * random.logUniform(0.5, 20), part = scene.target();
+  const Vec3d place = scene.somewhere(), lamp = place * random.logUniform(0.5, 20);
+  const Vec3d part = scene.target();
   const double width = scene.size() * random.logUniform(1e-6, 1);
   std::vector<ShadowQuery> queries;
   for (int i = 0; i < count; ++i) {
@@ -103,7 +107,11 @@ TEST("single rays find in 200 random scenes what the plain objects give, bit for
   for (int i = 0; i < kScenes; ++i) {
     RandomScene scene = sceneOf(i);
     Comparison comparison(scene.root(), nameOf(i));
-    for (int k = 0; k < 150; ++k) comparison.ask(scene.ray(), scene.tmin(), scene.tmax());
+    for (int k = 0; k < 150; ++k) {
+      const Ray ray = scene.ray();
+      const double tmin = scene.tmin();
+      comparison.ask(ray, tmin, scene.tmax());
+    }
     for (int k = 0; k < 50; ++k) comparison.askCrossings(scene.ray());
     for (int k = 0; k < 40; ++k) askFromSurface(scene, comparison);
     hits += comparison.hits();

@@ -67,8 +67,8 @@ TEST("every ray of random cameras has a unit direction and starts from nowhere")
   Random random(81);
   check::Cases cases;
   for (int i = 0; i < 20000; ++i) {
-    const PerspectiveCamera camera(random.inCube(-9, 9), random.inCube(-9, 9), random.inCube(-9, 9),
-                                   random.uniform(0.01, 3.1));
+    const PerspectiveCamera camera{random.inCube(-9, 9), random.inCube(-9, 9), random.inCube(-9, 9),
+                                   random.uniform(0.01, 3.1)};
     const Ray ray = camera.generateRay({random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)});
     const bool ok = std::fabs(length(ray.getDirection()) - 1) < 4e-16 && ray.getSource() == nullptr;
     cases.expect(ok, [&] { return check::show(ray.getDirection()); });

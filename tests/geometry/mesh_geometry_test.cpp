@@ -124,9 +124,8 @@ TEST("the bounds of a large mesh under any map are those of all its corners, to 
     const MeshGeometry geometry(vertices, faces);
     BoundingBox box, expected;
     for (int instance = 0; instance < 5; ++instance) {
-      const Matrix toWorld = Matrix::translation(random.inCube(-3, 3)) *
-                             Matrix::rotation(random.unitVector(), random.uniform(0, 360)) *
-                             Matrix::scale(random.inCube(-2, 2));
+      const Matrix move = Matrix::translation(random.inCube(-3, 3)), turn = random.rotation();
+      const Matrix toWorld = move * turn * Matrix::scale(random.inCube(-2, 2));
       geometry.addBounds(instance == 0 ? Matrix() : toWorld, box);
       for (int k = 0; k < 2000; ++k) {
         expected.extend(

@@ -113,7 +113,7 @@ TEST("random rays meet random planes in the plane") {
   for (int i = 0; i < 50000; ++i) {
     const double offset = random.uniform(-100, 100);
     const Plane plane(random.inCube(-3, 3), offset, &kMaterial);
-    const Ray ray(random.inCube(-100, 100), random.unitVector());
+    const Ray ray{random.inCube(-100, 100), random.unitVector()};
     if (std::fabs(dot(ray.getDirection(), plane.getNormal())) < 0.01) continue;
     Hit hit;
     const bool found = plane.intersect(ray, hit, -kInf);

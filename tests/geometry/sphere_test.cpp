@@ -168,7 +168,7 @@ TEST("random rays at spheres of every size hit them where long double arithmetic
   check::Cases cases;
   for (int i = 0; i < 100000; ++i) {
     const double radius = random.logUniform(1e-6, 1e6);
-    const Vec3d center = random.unitVector() * random.logUniform(1e-3, 1e6);
+    const Vec3d center = random.ofLogLength(1e-3, 1e6);
     const Vec3d normal = random.unitVector(), p = center + normal * radius;
     Vec3d away = random.unitVector();
     if (dot(away, normal) < 0) away = -away;

@@ -17,11 +17,13 @@ namespace {
 const PhongMaterial kMaterial = shapes::plainMaterial();
 
 Matrix randomMap(Random& random) {
-  const auto factor = [&] { return random.uniform(0.2, 3) * (random.index(2) ? 1 : -1); };
-  const double x = factor(), y = factor(), z = factor();
-  return Matrix::translation(random.inCube(-5, 5)) *
-         Matrix::rotation(random.unitVector(), random.uniform(0, 360)) * Matrix::scale({x, y, z}) *
-         Matrix::rotation(random.unitVector(), random.uniform(0, 360));
+  const auto factor = [&] {
+    const double size = random.uniform(0.2, 3);
+    return random.index(2) ? size : -size;
+  };
+  const Matrix scale = Matrix::scale({factor(), factor(), factor()});
+  const Matrix turn = random.rotation(), before = random.rotation();
+  return Matrix::translation(random.inCube(-5, 5)) * turn * scale * before;
 }
 
 }  // namespace

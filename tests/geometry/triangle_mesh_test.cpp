@@ -120,7 +120,7 @@ TEST("no ray from outside passes the edges or vertices of a closed mesh") {
   while (cases.tried() < 100000) {
     const std::uint32_t face = std::uint32_t(random.index(int(geometry.faceCount())));
     const Vec3d target = randomSeam(geometry, face, random);
-    const Vec3d toTarget = target - random.unitVector() * random.logUniform(1.5, 1000);
+    const Vec3d toTarget = target - random.ofLogLength(1.5, 1000);
     // Steep enough that all faces around the target are met from their fronts.
     if (dot(normalize(toTarget), outwardNormal(geometry, face)) > -0.5) continue;
     const Ray ray(target - toTarget, toTarget);
@@ -139,7 +139,7 @@ TEST("crossings at the seams of a closed mesh alternate and sum to nothing from 
   for (int i = 0; i < 20000; ++i) {
     const std::uint32_t face = std::uint32_t(random.index(int(geometry.faceCount())));
     const Vec3d target = randomSeam(geometry, face, random);
-    const Vec3d origin = random.unitVector() * random.uniform(1.1, 10);
+    const Vec3d origin = random.ofLength(1.1, 10);
     const Ray ray(origin, target - origin);
     const shapes::CrossingList list(mesh, ray);
     const bool ok = list.surplusOfLeaving() == 0 && list.alternates(1e-12) && list.size() <= 4;

@@ -162,7 +162,7 @@ TEST("however flat the ray strikes, t stays within the range of the vertices") {
   check::Cases cases;
   for (int i = 0; i < 50000; ++i) {
     // Rays almost in the plane z = 1: slopes from 1e-18 to 1.
-    const Vec3d origin(random.uniform(-20, -10), random.uniform(0, 4), 1);
+    const Vec3d origin{random.uniform(-20, -10), random.uniform(0, 4), 1};
     const double slope = random.logUniform(1e-18, 1);
     const Vec3d direction(1, 0, -slope);
     Ray ray(origin + Vec3d(0, 0, slope * random.uniform(10, 24)), direction);

@@ -324,8 +324,8 @@ TEST("damage behind right checksums ends in an error or a picture") {
     const unsigned types[] = {0, 2, 3, 4, 6};
     const unsigned type = types[random() % 5];
     const Bytes palette = type == 3 ? chunk("PLTE", Bytes(3 * (1 + random() % 256))) : Bytes{};
-    const Bytes file =
-        png({header(side(), side(), 8, type), palette, chunk("IDAT", packed), end()});
+    const unsigned width = side(), height = side();
+    const Bytes file = png({header(width, height, 8, type), palette, chunk("IDAT", packed), end()});
     (faultOf(file).empty() ? read : refused)++;
   }
   CHECK(read + refused == 20000);

@@ -109,10 +109,9 @@ TEST("random matrices times their inverses are the identity") {
   Random random(22);
   check::Cases cases;
   for (int i = 0; i < 5000; ++i) {
-    const Matrix m = Matrix::translation(random.inCube(-10, 10)) *
-                     Matrix::rotation(random.unitVector(), random.uniform(0, 360)) *
-                     Matrix::scale(random.inCube(0.1, 10)) *
-                     Matrix::rotation(random.unitVector(), random.uniform(0, 360));
+    const Matrix turn = random.rotation(), before = random.rotation();
+    const Matrix scale = Matrix::scale(random.inCube(0.1, 10));
+    const Matrix m = Matrix::translation(random.inCube(-10, 10)) * turn * scale * before;
     Matrix inverse;
     const bool ok = m.inverse(inverse) && largestDifference(m * inverse, Matrix()) < 1e-12 &&
                     largestDifference(inverse * m, Matrix()) < 1e-12;

@@ -115,7 +115,8 @@ TEST("the noise comes again after 256 units, to the left of 0 as well") {
   Random random(903);
   for (int i = 0; i < 1000; ++i) {
     // Multiples of 1/1024: moving them rounds nothing.
-    const Vec3d p = Vec3d(random.index(4096), random.index(4096), random.index(4096)) / 1024;
+    const int x = random.index(4096), y = random.index(4096), z = random.index(4096);
+    const Vec3d p = Vec3d(x, y, z) / 1024;
     for (const double move : {256.0, -256.0, -1024.0, 0x1p40}) {
       CHECK_EQUAL(math::noise(p + Vec3d(move, 0, -move)), math::noise(p));
     }

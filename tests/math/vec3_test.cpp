@@ -69,8 +69,8 @@ TEST("exchanging the factors of a cross product changes the sign exactly") {
   Random random(11);
   check::Cases cases;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3d a = random.inCube(-1, 1) * random.logUniform(1e-9, 1e9);
-    const Vec3d b = random.inCube(-1, 1) * random.logUniform(1e-9, 1e9);
+    const double sizeA = random.logUniform(1e-9, 1e9), sizeB = random.logUniform(1e-9, 1e9);
+    const Vec3d a = random.inCube(-1, 1) * sizeA, b = random.inCube(-1, 1) * sizeB;
     cases.expect(cross(a, b) == -cross(b, a),
                  [&] { return check::show(a) + " x " + check::show(b); });
   }

@@ -201,7 +201,7 @@ TEST("convex bodies of size 1 are lit without acne up to 1e9 from the origin, in
       const double away = random.logUniform(1e3, 1e9);
       const Place place(away, random);
       const std::string body = convexBody(i % 5, place, cubeFile);
-      const Vec3d from = place.at + random.unitVector() * random.logUniform(4, 100);
+      const Vec3d from = place.at + random.ofLogLength(4, 100);
       const Vec3d to = place.at + random.inCube(-0.5, 0.5);
       const View first(sunlit({0, -1, 0}, "", body), kAdaptive, from, to);
       if (first.hit.getMaterial() == nullptr) continue;

@@ -76,8 +76,8 @@ Ray grazing(const LongTriangle& face, double size, Random& random) {
   const Vec3d seam = corners[k] + (corners[(k + 1) % 3] - corners[k]) * along;
   const Vec3d normal = narrow(face.normal);
   const Vec3d level = normalize(cross(normal, random.unitVector()));
-  const double slope = random.logUniform(1e-15, 1) * (random.index(2) ? 1 : -1);
-  const Vec3d direction = normalize(level + normal * slope);
+  const double slope = random.logUniform(1e-15, 1);
+  const Vec3d direction = normalize(level + normal * (random.index(2) ? slope : -slope));
   return {seam - direction * (size * random.logUniform(1e-6, 1e6)), direction};
 }
 

@@ -63,13 +63,12 @@ class RandomPlainScene {
     for (int i = 0; i < count; ++i) {
       PlainLight light;
       light.isPoint = oneIn(2);
-      light.place = light.isPoint ? somewhere(oneIn(3) ? 1 : 6)
-                                  : random_.unitVector() * random_.uniform(0.1, 3);
+      light.place = light.isPoint ? somewhere(oneIn(3) ? 1 : 6) : random_.ofLength(0.1, 3);
       if (oneIn(3)) light.place[1] = light.isPoint ? 6 * unit_ : -2;
       light.color = color(0.1, 0.8);
       if (light.isPoint && oneIn(2)) {
-        light.attenuation = Vec3f(float(random_.uniform(0.5, 1)), float(0.1 / unit_),
-                                  float(random_.uniform(0, 0.02) / (unit_ * unit_)));
+        light.attenuation = Vec3f{float(random_.uniform(0.5, 1)), float(0.1 / unit_),
+                                  float(random_.uniform(0, 0.02) / (unit_ * unit_))};
       }
       scene_.lights.push_back(light);
     }
@@ -78,7 +77,7 @@ class RandomPlainScene {
     PlainCamera& camera = scene_.camera;
     camera.isPerspective = !oneIn(3);
     const Vec3d aim = somewhere(0.5);
-    Vec3d from = random_.unitVector() * (random_.uniform(3, 8) * unit_);
+    Vec3d from = random_.ofLength(3, 8) * unit_;
     if (!oneIn(4)) from[1] = std::fabs(from[1]);
     camera.center = camera.isPerspective && oneIn(6) ? somewhere(1.5) : from;
     camera.direction = (aim - camera.center) * random_.uniform(0.1, 3);
@@ -165,7 +164,10 @@ class RandomPlainScene {
     if (s.kind == PlainStep::Kind::uniformScale) s.f = random_.uniform(0.5, 1.3);
     if (s.kind == PlainStep::Kind::rotate) s.v = random_.inCube(-2, 2);
     if (s.kind == PlainStep::Kind::scale) {
-      for (int k = 0; k < 3; ++k) s.v[k] = random_.uniform(0.4, 1.4) * (oneIn(4) ? -1 : 1);
+      for (int k = 0; k < 3; ++k) {
+        const double factor = random_.uniform(0.4, 1.4);
+        s.v[k] = oneIn(4) ? -factor : factor;
+      }
     }
     for (int i = 0; i < 12; ++i) {
       if (i % 4 == 3) s.rows[i] = random_.uniform(-1, 1) * unit_;

@@ -52,11 +52,11 @@ TEST("with adaptive epsilon no mirror or shadow ray meets the ball it leaves") {
   check::Cases cases;
   for (int i = 0; i < 60000; ++i) {
     const double radius = random.logUniform(1e-6, 1e6);
-    const Vec3d center = random.unitVector() * random.logUniform(1e-3, 1e6);
+    const Vec3d center = random.ofLogLength(1e-3, 1e6);
     const Sphere sphere(center, radius, &kMirror);
     const RayTracer tracer(scene, sphere, adaptive());
-    const Vec3d target = center + random.unitVector() * (radius * random.uniform(0, 1));
-    const Vec3d origin = center + random.unitVector() * (radius * random.logUniform(1.01, 1e3));
+    const Vec3d target = center + random.ofLength(0, 1) * radius;
+    const Vec3d origin = center + random.ofLogLength(1.01, 1e3) * radius;
     Ray ray(origin, normalize(target - origin));
     Hit hit;
     const Vec3f found = tracer.traceRay(ray, 0, 0, 1, 1, hit);
@@ -74,12 +74,12 @@ TEST("with adaptive epsilon a ray through a ball of air meets it exactly twice")
   check::Cases cases;
   for (int i = 0; i < 60000; ++i) {
     const double radius = random.logUniform(1e-6, 1e6);
-    const Vec3d center = random.unitVector() * random.logUniform(1e-3, 1e6);
+    const Vec3d center = random.ofLogLength(1e-3, 1e6);
     // The ball must be more than a few ulps of where it lies.
     if (radius < 1e-9 * length(center)) continue;
     const Sphere sphere(center, radius, &kAir);
-    const Vec3d target = center + random.unitVector() * (radius * random.uniform(0, 0.99));
-    const Vec3d origin = center + random.unitVector() * (radius * random.logUniform(1.01, 1e3));
+    const Vec3d target = center + random.ofLength(0, 0.99) * radius;
+    const Vec3d origin = center + random.ofLogLength(1.01, 1e3) * radius;
     Ray ray(origin, normalize(target - origin));
     // Two refractions see the background; with one allowed only, the second adds nothing.
     RenderOptions options = adaptive();

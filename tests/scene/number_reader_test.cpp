@@ -52,15 +52,16 @@ float asFloat(std::string_view word) {
 /// Words of every shape: few and many digits, points anywhere, exponents large and small.
 std::string randomWord(std::mt19937_64& random) {
   std::string word = random() % 3 == 0 ? "-" : random() % 7 == 0 ? "+" : "";
-  const std::size_t before = random() % (random() % 4 == 0 ? 25 : 6);
-  const std::size_t after = random() % (random() % 4 == 0 ? 25 : 9) + (before == 0);
+  const unsigned mostBefore = random() % 4 == 0 ? 25 : 6, mostAfter = random() % 4 == 0 ? 25 : 9;
+  const std::size_t before = random() % mostBefore;
+  const std::size_t after = random() % mostAfter + (before == 0);
   for (std::size_t i = 0; i < before; ++i) word += char('0' + random() % 10);
   if (after > 0 || random() % 5 == 0) word += '.';
   for (std::size_t i = 0; i < after; ++i) word += char('0' + random() % 10);
   if (random() % 3 == 0) {
     const int range = random() % 4 == 0 ? 340 : 30;
-    word +=
-        (random() % 2 ? "e" : "E") + std::to_string(int(random() % (2 * unsigned(range))) - range);
+    word += random() % 2 ? "e" : "E";
+    word += std::to_string(int(random() % (2 * unsigned(range))) - range);
   }
   return word;
 }

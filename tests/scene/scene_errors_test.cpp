@@ -306,7 +306,8 @@ TEST("words left out, doubled, exchanged or spoilt are read or refused cleanly")
       const std::size_t start = text.find_last_of(" \n", random() % text.size()) + 1;
       const std::size_t length = std::min(text.find_first_of(" \n", start), text.size()) - start;
       const std::string word = kWords[random() % std::size(kWords)];
-      text.replace(start, random() % 2 ? length : 0, word + (random() % 2 ? " " : ""));
+      const std::size_t replaced = random() % 2 ? length : 0;
+      text.replace(start, replaced, word + (random() % 2 ? " " : ""));
     }
     good += isGoodBothWays(text, __LINE__);
   }

@@ -88,9 +88,8 @@ TEST("noise, marble and wood have the weights of their formulas") {
   for (int i = 0; i < 3000; ++i) {
     const int octaves = 1 + random.index(6);
     const double frequency = random.uniform(-9, 9), amplitude = random.uniform(-9, 9);
-    const Matrix matrix = Matrix::translation(random.inCube(-5, 5)) *
-                          Matrix::rotation(random.unitVector(), random.uniform(0, 360)) *
-                          Matrix::scale(random.inCube(0.1, 3));
+    const Matrix move = Matrix::translation(random.inCube(-5, 5)), turn = random.rotation();
+    const Matrix matrix = move * turn * Matrix::scale(random.inCube(0.1, 3));
     const Vec3d point = random.inCube(-10, 10), p = matrix.transformPoint(point);
     long double n = 0;
     for (int k = 0; k < octaves; ++k) n += math::noise(p * std::ldexp(1.0, k)) / std::ldexp(1.0, k);
