@@ -198,6 +198,21 @@ TEST("messages never end up in a picture where standard error is closed") {
   CHECK_EQUAL(check::runProgram("-input - -output d <&-", desk.path()).status, 3);
 }
 
+TEST("messages never end up in a file where there is neither standard error nor /dev/null") {
+  if (!hasStrace()) SKIP("there is no strace that works here");
+  if (kHasSanitizer) SKIP("a sanitizer has calls of its own");
+  const Desk desk;
+  const std::string bare =
+      "strace -f -qq -o log -P /dev/null -e trace=openat -e inject=openat:error=ENOENT "
+      "sh -c 'exec \"$0\" \"$@\" 2>&-'";
+  const std::string command = "-output a -normals none/b -checkpoint c";
+  for (int run = 0; run < 2; ++run) CHECK_EQUAL(desk.run(command, bare).status, 1);
+  CHECK(contains(desk.content("log"), "(INJECTED)"));
+  CHECK_EQUAL(desk.run(command).errors,
+              "raytracer: none/b: cannot be written: No such file or directory\n"
+              "raytracer: c: taken up with 100 % done\n");
+}
+
 TEST("a small disk that is full leaves the old picture and no litter, without root's rights too") {
   const Desk desk;
   const std::string small =
