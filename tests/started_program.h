@@ -48,6 +48,12 @@ class StartedProgram {
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return status;
   }
+  /// Sends a signal, and SIGKILL where it has not ended the program after so many milliseconds.
+  void endWithin(int milliseconds, int signal) {
+    kill(pid_, signal);
+    for (; milliseconds > 0 && isRunning(); --milliseconds) usleep(1000);
+    if (isRunning()) end(SIGKILL);
+  }
   /// How long the last end() took.
   double milliseconds() const { return milliseconds_; }
 

@@ -15,6 +15,6 @@ class ImageError : public std::runtime_error {
       : std::runtime_error(file + ": " + message) {}
 };
 
-/// The whole content of a file; a pipe is read to its end, but no further than 1 GiB.
-/// Throws ImageError.
+/// The whole content of a file; a pipe is read to its end, but no further than 1 GiB, a
+/// device no further than 64 MB. Throws ImageError.
 Bytes readBytes(const std::string& path);

@@ -149,8 +149,10 @@ std::unique_ptr<Checkpoint> openCheckpoint(const Options& options, const Digest&
                                            const std::vector<std::string>& meshFiles, int threads,
                                            const RenderTargets& targets) {
   if (options.checkpoint.empty()) return nullptr;
-  const Digest fingerprint = pictureFingerprint(options, scene, meshFiles, threads);
-  auto checkpoint = std::make_unique<Checkpoint>(options.checkpoint, fingerprint, targets);
+  Sha256 fingerprint;
+  fingerprint.add(pictureFingerprint(options, scene, meshFiles, threads));
+  fingerprint.addNumber(pictureBits(targets));  // tiles of floats are no tiles of bytes
+  auto checkpoint = std::make_unique<Checkpoint>(options.checkpoint, fingerprint.finish(), targets);
   if (options.quiet) return checkpoint;
   if (checkpoint->wasDamaged()) {
     complain("warning: " + options.checkpoint + ": damaged; what it lost is rendered again");

@@ -3,19 +3,20 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <new>
 #include <set>
 
 #include "cli/command_table.h"
 #include "cli/compare_output.h"
+#include "cli/file_names.h"
 #include "cli/messages.h"
 #include "cli/outputs.h"
 #include "cli/picture_pairs.h"
 #include "cli/render_run.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
+#include "scene/whole_file.h"
+#include "system/folder_lock.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -45,7 +46,10 @@ void attempt(ComparedPair& pair, const Work& work) {
   complain(pair.fault);
 }
 
-ComparedPair compareFiles(const PicturePair& files, const CompareOptions& options) {
+/// Where -diff is given, `difference` is then the picture of the differences of two that could be
+/// read.
+ComparedPair compareFiles(const PicturePair& files, const CompareOptions& options,
+                          Image& difference) {
   ComparedPair pair;
   pair.name = files.name;
   pair.expected = files.expected;
@@ -58,17 +62,31 @@ ComparedPair compareFiles(const PicturePair& files, const CompareOptions& option
   attempt(pair, [&] {
     const Image expected = readImage(files.expected), actual = readImage(files.actual);
     comparePictures(expected, actual, options, pair);
-    if (options.diff.empty()) return;
-    writePicture(differencePicture(expected, actual), options.diff, hardwareThreads());
+    if (!options.diff.empty()) difference = differencePicture(expected, actual);
   });
   return pair;
 }
 
-std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
-  std::vector<ComparedPair> pairs;
-  for (const PicturePair& files : pairsIn(options.expected, options.actual)) {
-    pairs.push_back(compareFiles(files, options));
+[[noreturn]] void refuse(const std::string& a, const std::string& b) {
+  throw UsageError("-compare: expected different files, found '" + a + "' and '" + b + "'");
+}
+
+/// Throws UsageError where an output would replace the picture.
+void checkNoOutput(const std::string& picture, const CompareOptions& options) {
+  for (const std::string* output : {&options.report, &options.csv}) {
+    if (isSameOutput(picture, *output)) refuse(picture, *output);
   }
+}
+
+std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
+  const std::vector<PicturePair> found = pairsIn(options.expected, options.actual);
+  for (const PicturePair& files : found) {
+    checkNoOutput(files.expected, options);
+    checkNoOutput(files.actual, options);
+  }
+  std::vector<ComparedPair> pairs;
+  Image none;
+  for (const PicturePair& files : found) pairs.push_back(compareFiles(files, options, none));
   return pairs;
 }
 
@@ -76,7 +94,11 @@ std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
 class TableRun {
  public:
   explicit TableRun(const Options& options)
-      : options_(options), expected_(picturesIn(options.compare.expected)) {}
+      : options_(options), expected_(picturesIn(options.compare.expected)) {
+    for (const std::string& name : expected_) {
+      checkNoOutput(pairFor(name, name).expected, options.compare);
+    }
+  }
 
   std::vector<ComparedPair> run() {
     for (TableCommand& command : readCommandTable(options_.compare.actual)) {
@@ -141,12 +163,11 @@ bool beginsWith(const std::string& text, const std::string& start) {
 
 /// Adds the rows to what is in the file, which begins with the heading unless it is new or empty.
 void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path) {
+  const FolderLock lock(path);  // two runs at once would each lose the other's rows
   std::error_code ignored;
-  std::string text;
-  if (fs::is_regular_file(path, ignored)) {
-    std::ifstream in(path, std::ios::binary);
-    text.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    if (!in) throw OutputError(path, "what it holds cannot be read");
+  std::string text, reason;
+  if (fs::is_regular_file(path, ignored) && !readWholeFile(path, text, reason)) {
+    throw OutputError(path, "what it holds cannot be read: " + reason);
   }
   if (text.empty()) text = csvHeading();
   if (!beginsWith(text, csvHeading())) {
@@ -167,47 +188,57 @@ CompareStatus statusOf(const std::vector<ComparedPair>& pairs) {
 }
 
 /// False where one of the files cannot be written, which has then been said.
-bool writeOutputs(std::vector<ComparedPair>& pairs, const CompareOptions& options) {
+bool writeOutputs(std::vector<ComparedPair>& pairs, const Image& difference,
+                  const CompareOptions& options) {
   bool written = true;
   const auto attemptWriting = [&written](const auto& write) {
     try {
       write();
-    } catch (const OutputError& error) {
+      return;
+    } catch (const std::bad_alloc&) {
+      complain("not enough memory for -csv or -report");
+    } catch (const std::exception& error) {
       complain(error.what());
-      written = false;
     }
+    written = false;
   };
+  if (difference.Width() > 0)
+    attemptWriting([&] { writePicture(difference, options.diff, hardwareThreads()); });
   if (!options.csv.empty()) attemptWriting([&] { addToCsv(pairs, options.csv); });
   if (!options.report.empty()) {
-    std::stable_sort(pairs.begin(), pairs.end(), isWorse);
-    const std::string page = reportPage(pairs, options);
-    attemptWriting([&] { writeFile(options.report, page.data(), page.size()); });
+    attemptWriting([&] {
+      std::stable_sort(pairs.begin(), pairs.end(), isWorse);
+      const std::string page = reportPage(pairs, options);
+      writeFile(options.report, page.data(), page.size());
+    });
   }
   return written;
 }
 
-/// Throws UsageError where an output is one of the things compared, or two outputs are one file.
-void checkOutputs(const CompareOptions& options) {
+/// Throws UsageError where an output is one of the things compared, or two outputs are one file, or
+/// one goes to standard output beside the figures.
+void checkOutputs(const CompareOptions& options, bool quiet) {
   const std::string* const files[] = {&options.expected, &options.actual, &options.diff,
                                       &options.report, &options.csv};
   for (int i = 2; i < 5; ++i) {
-    if (files[i]->empty()) continue;
     for (int k = 0; k < i; ++k) {
-      std::error_code error;
-      const bool isSame = *files[i] == *files[k] || fs::equivalent(*files[i], *files[k], error);
-      if (!isSame || fs::is_character_file(*files[i], error)) continue;
-      throw UsageError("-compare: expected different files, found '" + *files[k] + "' and '" +
-                       *files[i] + "'");
+      if (isSameOutput(*files[k], *files[i])) refuse(*files[k], *files[i]);
     }
+    const bool isStandardOutput = *files[i] == "-" || isSameOutput(*files[i], "-");
+    if (quiet || !isStandardOutput) continue;
+    throw UsageError(
+        "-compare: expected standard output for the figures (which -quiet leaves "
+        "out), found '" +
+        *files[i] + "' there");
   }
 }
 
-std::vector<ComparedPair> compareAll(const Options& options) {
+std::vector<ComparedPair> compareAll(const Options& options, Image& difference) {
   const CompareOptions& compare = options.compare;
   const bool folder = isFolder(compare.expected), both = folder && isFolder(compare.actual);
   if (!folder) {
     const std::string name = fs::path(compare.expected).filename().string();
-    return {compareFiles({name, compare.expected, compare.actual}, compare)};
+    return {compareFiles({name, compare.expected, compare.actual}, compare, difference)};
   }
   if (!compare.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
   return both ? compareFolders(compare) : TableRun(options).run();
@@ -217,10 +248,11 @@ std::vector<ComparedPair> compareAll(const Options& options) {
 
 int runComparison(const Options& options) {
   const CompareOptions& compare = options.compare;
-  checkOutputs(compare);
+  checkOutputs(compare, options.quiet);
   std::vector<ComparedPair> pairs;
+  Image difference;
   try {
-    pairs = compareAll(options);
+    pairs = compareAll(options, difference);
   } catch (const ImageError& error) {
     complain(error.what());
     return kUnreadable;
@@ -233,6 +265,6 @@ int runComparison(const Options& options) {
   const bool single = !isFolder(compare.expected);
   const std::string text = single ? figureLines(pairs[0], compare) : pairLines(pairs);
   const bool printed = options.quiet || print(text) == kDone;
-  const bool written = writeOutputs(pairs, compare);
+  const bool written = writeOutputs(pairs, difference, compare);
   return (printed && written) || status != kSame ? status : kDifferent;
 }

@@ -1,4 +1,6 @@
 // Files that a command line names more than once, perhaps in different words.
+#include "cli/file_names.h"
+
 #include <filesystem>
 
 #include "cli/options.h"
@@ -12,8 +14,9 @@ struct Named {
   const std::string& file;  // empty where the argument was not given
 };
 
-/// A name for what an output goes to.
+/// Names for what an output goes to and an input comes from.
 std::string outputPath(const std::string& file) { return file == "-" ? "/dev/stdout" : file; }
+std::string inputPath(const std::string& file) { return file == "-" ? "/dev/stdin" : file; }
 
 /// Where a file of this name is or would be created, links followed.
 fs::path placeOf(const std::string& name) {
@@ -33,7 +36,16 @@ bool sameFile(const std::string& a, const std::string& b) {
   return (fs::equivalent(a, b, error) && !error) || placeOf(a) == placeOf(b);
 }
 
+bool isInput(const std::string& input, const std::string& output) {
+  return !input.empty() && !output.empty() && sameFile(inputPath(input), outputPath(output));
+}
+
 }  // namespace
+
+bool isSameOutput(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  return (a == "-" && b == "-") || sameFile(outputPath(a), outputPath(b));
+}
 
 void checkFiles(const Options& options, const std::vector<std::string>& meshFiles) {
   const Named input = {"-input", options.input};
@@ -46,26 +58,23 @@ void checkFiles(const Options& options, const std::vector<std::string>& meshFile
                            {"-heatmap", options.heatmapOutput},
                            {"-pixel_obj", options.pixelObjOutput},
                            {"-checkpoint", options.checkpoint}};
-  const auto isSame = [](const std::string& a, const std::string& b) {
-    if (a.empty() || b.empty()) return false;
-    return (a == "-" && b == "-") || sameFile(outputPath(a), outputPath(b));
-  };
   const auto refuse = [](const Named& a, const Named& b) {
     throw UsageError(std::string(a.argument) + " and " + b.argument +
                      ": expected different files, found '" + a.file + "' and '" + b.file + "'");
   };
   for (const std::string& part : options.merge.parts) {
-    if (isSame(part, options.merge.output))
+    if (isSameOutput(part, options.merge.output))
       refuse({"-merge: OUT", options.merge.output}, {"PART", part});
   }
-  const bool inputHasName = input.file != "-";
+  const std::string printing = options.check ? "" : printingArgument(options);
   for (const Named& output : outputs) {
-    if (inputHasName && isSame(input.file, output.file)) refuse(input, output);
+    if (isInput(input.file, output.file)) refuse(input, output);
+    if (!printing.empty() && isSameOutput(output.file, "-")) failPrinting(printing);
     for (const Named* other = outputs; other != &output; ++other) {
-      if (isSame(other->file, output.file)) refuse(*other, output);
+      if (isSameOutput(other->file, output.file)) refuse(*other, output);
     }
     for (const std::string& mesh : meshFiles) {
-      if (!isSame(mesh, output.file)) continue;
+      if (!isSameOutput(mesh, output.file)) continue;
       throw UsageError(std::string(output.argument) +
                        ": expected a file that the scene does not read, found '" + output.file +
                        "', one of its meshes");

@@ -59,6 +59,7 @@ void addPictures(const Options& options, Sha256& hash) {
   hash.addNumber(!options.normalsOutput.empty());
   hash.addNumber(!options.samplesOutput.empty());
   hash.addNumber(std::uint64_t(options.samplesZoom));
+  if (!options.materialsOutput.empty()) addText("materials", hash);
 }
 
 void addArguments(const Options& options, Sha256& hash) {
@@ -74,18 +75,20 @@ void addArguments(const Options& options, Sha256& hash) {
 
 bool changesPicture(const std::string& name) {
   static constexpr const char* kUnseen[] = {
-      "input",      "output",       "depth",   "normals", "render_samples",  // see addPictures
-      "accel",      "threads",      "simd",    "stats",   "render_filter",   // likewise
-      "quiet",      "check",        "help",    "version", "progress",
-      "checkpoint", "memory_limit", "preview", "man",     "completion"};
+      "input",     "output",  "depth",     "normals",    "render_samples",  // see addPictures
+      "accel",     "threads", "simd",      "stats",      "render_filter",   // likewise
+      "quiet",     "check",   "help",      "version",    "progress",
+      "materials", "heatmap", "pixel_obj", "checkpoint", "memory_limit",
+      "preview",   "man",     "completion"};
   return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
 }
 
 Digest fileDigest(const std::string& path, int threads) {
   const OpenFile file(path);
   if (!file.isOpen()) fail(path, std::strerror(errno));
-  if (file.regularSize() < 0) fail(path, "expected a plain file, which can be read twice");
-  const auto size = std::size_t(file.regularSize());
+  const off_t length = file.regularSize();  // asked for once: it may change
+  if (length < 0) fail(path, "expected a plain file, which can be read twice");
+  const auto size = std::size_t(length);
   const std::size_t count = (size + kPiece - 1) / kPiece;
   std::vector<Digest> pieces(count);
   shareOnThreads(threads, kStack, count, [&](std::size_t i) {

@@ -60,21 +60,11 @@ void note(const GivenOption& option, std::vector<GivenOption>& given) {
   given.push_back(option);
 }
 
-/// The argument that prints on standard output, or "" where none does.
-std::string printingArgument(const Options& options) {
-  if (options.stats) return "-stats";
-  if (options.tracesPixel) return "-pixel";
-  if (!options.heatmapOutput.empty()) return "-heatmap";
-  if (!options.materialsOutput.empty()) return "-materials";
-  return options.preview ? "-preview" : "";
-}
-
 void checkStandardOutput(const Options& options) {
   const std::string printing = printingArgument(options);
   if (options.check || printing.empty()) return;
   for (const Output& output : wantedOutputs(options)) {
-    if (output.file != "-") continue;
-    throw UsageError(printing + ": expected standard output for its lines, found an image there");
+    if (output.file == "-") failPrinting(printing);
   }
 }
 
@@ -118,6 +108,18 @@ void checkComplete(const Options& options) {
 }
 
 }  // namespace
+
+std::string printingArgument(const Options& options) {
+  if (options.stats) return "-stats";
+  if (options.tracesPixel) return "-pixel";
+  if (!options.heatmapOutput.empty()) return "-heatmap";
+  if (!options.materialsOutput.empty()) return "-materials";
+  return options.preview ? "-preview" : "";
+}
+
+void failPrinting(const std::string& argument) {
+  throw UsageError(argument + ": expected standard output for its lines, found an image there");
+}
 
 Options parseOptions(const std::vector<std::string>& words) {
   Options options;

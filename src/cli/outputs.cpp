@@ -49,7 +49,7 @@ void write(const Output& output, int threads) {
 std::vector<Output> wantedOutputs(const Options& options) {
   std::vector<Output> outputs;
   const auto add = [&](Output::Kind kind, const std::string& file) {
-    if (!file.empty()) outputs.push_back({kind, file, Image(), TgaPlace(), FloatImage(), ""});
+    if (!file.empty()) outputs.push_back({kind, file, Image(), TgaPlace(), FloatImage(), "", true});
   };
   add(Output::Kind::color, options.output);
   add(Output::Kind::depth, options.depthOutput);
@@ -62,11 +62,13 @@ std::vector<Output> wantedOutputs(const Options& options) {
   return outputs;
 }
 
-void dropUnwritable(std::vector<Output>& outputs) {
-  std::vector<Output> writable;
-  for (Output& output : outputs)
-    if (succeeds(output, [&] { checkOutput(output.file); })) writable.push_back(std::move(output));
-  outputs = std::move(writable);
+std::size_t markUnwritable(std::vector<Output>& outputs) {
+  std::size_t writable = 0;
+  for (Output& output : outputs) {
+    output.isWritable = succeeds(output, [&] { checkOutput(output.file); });
+    writable += output.isWritable;
+  }
+  return writable;
 }
 
 void makeImages(std::vector<Output>& outputs, const Options& options) {
@@ -86,7 +88,7 @@ void makeImages(std::vector<Output>& outputs, const Options& options) {
 std::size_t writeAll(const std::vector<Output>& outputs, int threads) {
   std::size_t written = 0;
   for (const Output& output : outputs) {
-    written += succeeds(output, [&] { write(output, threads); });
+    written += output.isWritable && succeeds(output, [&] { write(output, threads); });
   }
   return written;
 }

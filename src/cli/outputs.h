@@ -12,22 +12,23 @@ struct Output {
   enum class Kind { color, depth, normals, samples, filter, materials, heatmap, rays };
   Kind kind;
   std::string file;
-  Image image;       ///< empty until makeImages, of `rays` always
-  TgaPlace place;    ///< of a part, where the file is a TGA
-  FloatImage exact;  ///< its unclamped colours, empty where the format of the file has none
-  std::string text;  ///< of `rays`: what is written; of `heatmap`: its scale
+  Image image;             ///< empty until makeImages, of `rays` always
+  TgaPlace place;          ///< of a part, where the file is a TGA
+  FloatImage exact;        ///< its unclamped colours, empty where the format of the file has none
+  std::string text;        ///< of `rays`: what is written; of `heatmap`: its scale
+  bool isWritable = true;  ///< false where this was tried and complained of
 };
 
 /// The outputs that `options` name, without their images.
 std::vector<Output> wantedOutputs(const Options& options);
 
-/// Takes out of `outputs` those that cannot be written, complaining of each.
-void dropUnwritable(std::vector<Output>& outputs);
+/// Marks those that cannot be written, complaining of each, and returns how many can.
+std::size_t markUnwritable(std::vector<Output>& outputs);
 
 /// Gives every output a black image of its size (that of a part where one is wanted), and draws
 /// that of the filter. Throws std::bad_alloc where memory is short.
 void makeImages(std::vector<Output>& outputs, const Options& options);
 
-/// Writes every output with at most `threads` threads, complaining of each that fails, and returns
-/// how many were written.
+/// Writes every output that is not marked with at most `threads` threads, complaining of each that
+/// fails, and returns how many were written.
 std::size_t writeAll(const std::vector<Output>& outputs, int threads);

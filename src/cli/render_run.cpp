@@ -83,6 +83,13 @@ struct Rendered {
   int status = kDone;                      ///< kOutputFailed where the preview could not be shown
 };
 
+/// A checkpoint needs them all: its tiles hold the pixels of every picture, for the run that can
+/// write them again.
+void dropUnwritable(std::vector<Output>& outputs) {
+  const auto isUnwritable = [](const Output& output) { return !output.isWritable; };
+  outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnwritable), outputs.end());
+}
+
 /// Tells the outputs, where they are parts, which picture they belong to.
 void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Options& options,
                std::vector<Output>& outputs) {
@@ -159,8 +166,8 @@ int renderScene(const Options& options) {
 
   std::vector<Output> outputs = wantedOutputs(options);
   const std::size_t wanted = outputs.size();
-  dropUnwritable(outputs);
-  if (outputs.empty() && wanted > 0) return kOutputFailed;
+  if (markUnwritable(outputs) == 0 && wanted > 0) return kOutputFailed;
+  if (options.checkpoint.empty()) dropUnwritable(outputs);
   setPlaces(scene, notes.digest, options, outputs);
   const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
   watch.restart();

@@ -10,6 +10,8 @@
 
 namespace {
 
+// A device such as /dev/zero never ends.
+constexpr std::size_t kMostOfDevice = std::size_t{64} << 20;
 constexpr std::size_t kMostStreamed = std::size_t{1} << 30;
 
 struct Closer {
@@ -28,6 +30,9 @@ Bytes readBytes(const std::string& path) {
   while (count > 0) {
     constexpr std::size_t kStep = 65536;
     const std::size_t before = bytes.size();
+    if (S_ISCHR(status.st_mode) && before > kMostOfDevice) {
+      throw ImageError(path, "expected at most 64 MB from a device, found more");
+    }
     if (!isFile && before > kMostStreamed) {
       throw ImageError(path, "expected at most 1 GiB from what is no plain file, found more");
     }

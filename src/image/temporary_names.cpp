@@ -4,6 +4,7 @@
 #include "image/temporary_names.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -145,7 +146,9 @@ void endOnSignal(int signal) {
   for (const Slot& slot : slots) {
     if (slot.taken) unlink(slot.name);
   }
-  if (lineIsOpen && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
+  struct pollfd errors = {STDERR_FILENO, POLLOUT, 0};  // a pipe that nobody reads may be full
+  const bool takesMore = lineIsOpen && poll(&errors, 1, 0) == 1 && (errors.revents & POLLOUT) != 0;
+  if (takesMore && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
   _exit(128 + signal);
 }
 

@@ -11,6 +11,7 @@ void keepStandardFiles() {
     if (fcntl(descriptor, F_GETFD) >= 0) continue;
     // The lowest free number is this one. Opened the wrong way round: any use is an error.
     const int wrongWay = descriptor == STDOUT_FILENO ? O_RDONLY : O_WRONLY;
-    if (open("/dev/null", wrongWay) < 0) return;
+    // Where there is no /dev, a folder does: to read and to write it are errors too.
+    if (open("/dev/null", wrongWay) < 0 && open("/", O_RDONLY | O_DIRECTORY) < 0) return;
   }
 }

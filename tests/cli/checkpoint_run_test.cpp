@@ -110,6 +110,8 @@ TEST("a checkpoint of other inputs or options is refused, whole or not, and stay
   const Desk desk;
   CHECK(endAfter(desk, 1, SIGTERM));
   const std::string kept = desk.content("c"), command = kLong + "a.pfm -checkpoint c ";
+  const check::ProgramRun bytes = desk.run(kLong + "a.tga -checkpoint c");  // for tiles of floats
+  CHECK(bytes.status == 2 && desk.content("c") == kept && !desk.exists("a.tga"));
   const auto refused = [&](const std::string& more) {
     const check::ProgramRun run = desk.run(command + more);
     return run.status == 2 && contains(run.errors, "was made from another scene") &&
@@ -128,6 +130,29 @@ TEST("a checkpoint of other inputs or options is refused, whole or not, and stay
   CHECK_EQUAL(check::runProgram("-input - " + command + "-quiet < scene.txt", desk.path()).status,
               0);
   CHECK(!desk.exists("c"));
+}
+
+TEST("an output that cannot be written now loses nothing that the checkpoint holds of it") {
+  const Desk desk;
+  CHECK(endAfter(desk, 1, SIGKILL));
+  const std::size_t saved = desk.size("c");
+  fs::create_directory(desk.file("n"));
+  {
+    StartedProgram program("-input scene.txt " + kLong + "a.pfm -checkpoint c", desk.path());
+    while (program.isRunning() && !contains(desk.content("said"), "taken up")) {
+      check::sleepMilliseconds(5);
+    }
+    program.end(SIGTERM);
+  }
+  CHECK(contains(desk.content("said"), "raytracer: n: cannot be written: Is a directory\n"));
+  CHECK(desk.size("c") >= saved);
+  CHECK_EQUAL(desk.run(kLong + "a.pfm -checkpoint c").status, 1);
+  CHECK(desk.exists("a.pfm") && desk.exists("d.pfm"));
+  fs::remove(desk.file("n"));
+  const check::ProgramRun last = desk.run(kLong + "a.pfm -checkpoint c");
+  CHECK_EQUAL(last.status, 0);
+  CHECK_EQUAL(last.errors, "raytracer: c: taken up with 100 % done\n");
+  CHECK(desk.exists("n") && !desk.exists("c"));
 }
 
 TEST("a file that is no checkpoint is not touched") {

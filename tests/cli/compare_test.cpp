@@ -47,6 +47,8 @@ TEST("the status is 0 within the tolerance, 1 beyond, 2 for wrong usage, 3 for n
   desk.put("b.png", greys(3, 1));
   desk.put("c.ppm", greys(3, 2));
   desk.put("d.pfm", Image(10, 11));
+  desk.write("table", "");
+  std::filesystem::create_symlink("x", desk.file("link"));  // to what is not there yet
   CHECK_EQUAL(desk.status("a.tga a.tga"), 0);
   CHECK_EQUAL(desk.status("a.tga b.png"), 0);  // the tolerance is 1
   CHECK_EQUAL(desk.status("a.tga b.png -tolerance 0"), 1);
@@ -62,10 +64,15 @@ TEST("the status is 0 within the tolerance, 1 beyond, 2 for wrong usage, 3 for n
        {"a.tga", "a.tga b.png -tolerance 256", "a.tga b.png -tolerance -1",
         "a.tga b.png -fail_percent 101", "a.tga b.png -input a.tga", "a.tga b.png -output o.tga",
         "a.tga b.png -size 1 1", "a.tga b.png -diff a.tga",
-        "a.tga b.png -csv x -report ./x/../x -csv a.tga", ". . -diff d.png"}) {
+        "a.tga b.png -csv x -report ./x/../x -csv a.tga", ". . -diff d.png",
+        "a.tga b.png -diff x -csv ./x", "a.tga b.png -csv x -report link", ". . -report a.tga",
+        ". . -csv ./d.pfm", ". table -report b.png", "a.tga b.png -diff -", "a.tga b.png -csv -",
+        "a.tga b.png -report /dev/stdout", "a.tga b.png -diff - -csv /dev/stdout -quiet"}) {
     check::report(desk.status(wrong) == 2, __FILE__, __LINE__, wrong);
   }
   CHECK_EQUAL(check::runProgram("-tolerance 1 -input a -output b", desk.path()).status, 2);
+  CHECK(readImage(desk.file("a.tga")).Width() == 10);  // all pictures are still there
+  CHECK_EQUAL(desk.status("a.tga d.pfm -diff - -quiet"), 1);
 }
 
 TEST("the figures of two pictures are printed by name, and nothing with -quiet") {
@@ -95,6 +102,21 @@ TEST("-diff writes the picture of differences") {
   const Image d = readImage(desk.file("d.png"));
   CHECK(d.getPixel(0, 9) == (Rgb8{48, 48, 48}));
   CHECK(d.getPixel(1, 9) == (Rgb8{0, 0, 0}));
+}
+
+TEST("an output that cannot be written is status 1, and costs neither figures nor other outputs") {
+  const Desk desk;
+  desk.put("a.tga", greys(0, 0));
+  const std::string figures = desk.run("a.tga a.tga").output;
+  for (const char* failing : {"-diff none/d", "-csv none/d", "-report none/d"}) {
+    const check::ProgramRun run = desk.run(std::string("a.tga a.tga ") + failing);
+    CHECK_EQUAL(run.status, 1);
+    CHECK_EQUAL(run.output, figures);
+    CHECK_EQUAL(run.errors, "raytracer: none/d: cannot be written: No such file or directory\n");
+  }
+  CHECK_EQUAL(desk.status("a.tga a.tga -diff none/d -csv t -report r"), 1);
+  checkContains(check::contentOf(desk.file("t")), "a.tga,a.tga,a.tga,same,10,10,10,10,0,");
+  CHECK(std::filesystem::exists(desk.file("r")));
 }
 
 TEST("folders are compared picture by picture, whatever their endings, and what is alone differs") {
@@ -138,6 +160,21 @@ TEST("-csv adds a row for each pair below one heading, and refuses other files")
   desk.write("notes.txt", "my notes\n");
   CHECK_EQUAL(desk.status("b.tga b.tga -csv notes.txt"), 1);
   CHECK_EQUAL(check::contentOf(desk.file("notes.txt")), "my notes\n");
+}
+
+TEST("many runs at once add their rows to one table, and none is lost") {
+  const Desk desk;
+  desk.put("a.tga", greys(0, 0));
+  std::filesystem::create_symlink("t.csv", desk.file("link"));
+  std::string all = "a.tga a.tga -csv t.csv";
+  for (int run = 1; run < 12; ++run) {
+    all += " & " + quoted(RAYTRACER_PROGRAM) + " -compare a.tga a.tga -csv " +
+           (run % 2 == 0 ? "t.csv" : "link");
+  }
+  desk.run(all + "; wait");
+  const std::string table = check::contentOf(desk.file("t.csv"));
+  CHECK_EQUAL(std::count(table.begin(), table.end(), '\n'), 1 + 12);
+  CHECK_EQUAL(desk.fileCount(), std::size_t(3));
 }
 
 TEST("-csv has every column for what is alone, of another size or unreadable") {

@@ -107,6 +107,27 @@ TEST("SIGINT and SIGTERM end a run that waits for the reader of a pipe, or for i
   close(reader);
 }
 
+TEST("SIGINT and SIGTERM end a run whose messages nobody reads, in the middle of a line") {
+  const Desk desk;
+  fs::remove(desk.file("said"));
+  mkfifo(desk.file("said").c_str(), 0600);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const int reader = open(desk.file("said").c_str(), O_RDWR | O_NONBLOCK);
+    StartedProgram program(
+        "-input scene.txt -size 2000 2000 -random_samples 100 -progress -output out.tga",
+        desk.path());
+    char begun = 0;
+    while (read(reader, &begun, 1) != 1) check::sleepMilliseconds(10);  // a line is open now
+    while (write(reader, &begun, 1) == 1) {
+    }
+    program.endWithin(1000, signal);
+    CHECK_EQUAL(program.wait(), 128 + signal);
+    CHECK_EQUAL(contentOf(desk.file("out.tga")), "old");
+    close(reader);
+  }
+  CHECK_EQUAL(desk.fileCount(), std::size_t(5));
+}
+
 TEST("SIGTERM at any moment of a run leaves the old picture or the new one, and no litter") {
   const Desk desk;
   desk.write("scene.txt", meshScene());

@@ -26,13 +26,15 @@ TEST("what changes no pixel leaves the fingerprint") {
   const Digest plain = of("");
   for (const char* same :
        {"-threads 3", "-simd baseline", "-accel tree", "-quiet", "-stats", "-output b",
-        "-input other.txt", "-checkpoint c", "-progress", "-preview"}) {
+        "-input other.txt", "-checkpoint c", "-progress", "-preview", "-heatmap h"}) {
     CHECK(of(same) == plain);
   }
   CHECK(of("-depth 1 2 d") == of("-depth e 1 2"));
   CHECK(of("-depth 1 2 d") == of("-depth 1.0 2 d"));
   CHECK(of("-bounces 3 -bounces 5") == of("-bounces 5"));
   CHECK(of("-normals n") == of("--normal m"));
+  CHECK(of("-materials n") == of("-materials m"));
+  CHECK(of("-pixel 1 2 -pixel_obj n") == of("-pixel 1 2 -pixel_obj m"));
 }
 
 TEST("each argument that may change a pixel changes the fingerprint, and so does each word of it") {
@@ -58,6 +60,7 @@ TEST("each argument that may change a pixel changes the fingerprint, and so does
                                    "-depth 1.00000000000000022 3 d",
                                    "-normals n",
                                    "-normals n -depth 1 2 d",
+                                   "-materials m",
                                    "-render_samples s 2",
                                    "-render_samples s 3"};
   for (const char* words : different) {
@@ -67,10 +70,10 @@ TEST("each argument that may change a pixel changes the fingerprint, and so does
 
 TEST("an argument that is new is taken to change pixels until it is listed as one that does not") {
   const std::set<std::string> listed = {
-      "input",         "output",   "depth",   "normals", "render_samples",
-      "render_filter", "accel",    "simd",    "threads", "stats",
-      "quiet",         "check",    "help",    "version", "checkpoint",
-      "memory_limit",  "progress", "preview", "man",     "completion"};
+      "input", "output",     "depth",      "normals",      "render_samples", "render_filter",
+      "accel", "simd",       "threads",    "stats",        "quiet",          "check",
+      "help",  "version",    "checkpoint", "memory_limit", "progress",       "preview",
+      "man",   "completion", "materials",  "heatmap",      "pixel_obj"};
   for (const OptionRow& row : optionTable()) {
     CHECK_EQUAL(changesPicture(row.name), listed.count(row.name) == 0);
   }

@@ -114,12 +114,53 @@ TEST("standard output takes one picture, and no lines of -stats besides") {
   const Desk desk;
   for (const char* clash :
        {"-output - -normals -", "-output - -depth 1 2 /dev/stdout", "-output - -stats",
-        "-normals - -stats", "-output - -normals ./same.tga > same.tga"}) {
+        "-normals - -stats", "-output - -normals ./same.tga > same.tga",
+        "-output /dev/stdout -stats", "-materials /dev/fd/1", "-heatmap /proc/self/fd/1",
+        "-output /dev/stdout -preview", "-output ./same.tga -pixel 1 1 > same.tga",
+        "-output /dev/stdout -stats | cat"}) {
     const check::ProgramRun run = desk.run(clash);
-    CHECK_EQUAL(run.status, 2);
-    CHECK_EQUAL(run.output, "");
+    check::report(run.status == 2 || contains(clash, "|"), __FILE__, __LINE__, clash);
+    check::report(run.output.empty() && contains(run.errors, "expected"), __FILE__, __LINE__,
+                  clash);
   }
+  CHECK_EQUAL(desk.content("same.tga"), "");
+  CHECK_EQUAL(desk.run("-output /dev/null -normals /dev/null -stats > /dev/null").status, 0);
+  CHECK_EQUAL(desk.run("-output /dev/stdout -stats -check").status, 0);
   CHECK_EQUAL(desk.run("-output - -stats -check").status, 0);
+}
+
+TEST("a scene that comes on standard input is not replaced by a picture of it") {
+  const Desk desk;
+  const std::string scene = desk.content("scene.txt");
+  fs::create_symlink("scene.txt", desk.file("link"));
+  for (const char* wrong :
+       {"-input - -output ./scene.txt < scene.txt", "-input - -depth 1 2 link < scene.txt",
+        "-input /dev/stdin -normals scene.txt < scene.txt"}) {
+    const check::ProgramRun run = check::runProgram(wrong, desk.path());
+    check::report(run.status == 2 && contains(run.errors, "expected different files"), __FILE__,
+                  __LINE__, wrong);
+    CHECK_EQUAL(desk.content("scene.txt"), scene);
+  }
+}
+
+TEST("a file that cannot be asked for its size never gives a part of another picture") {
+  if (!hasStrace()) SKIP("there is no strace that works here");
+  if (kHasSanitizer) SKIP("a sanitizer has calls of its own");
+  const Desk desk;
+  std::string scene = desk.content("scene.txt");
+  scene.replace(scene.find("Sphere"), std::string::npos, "TriangleMesh { obj_file m.obj } }\n");
+  desk.write("scene.txt", scene);
+  desk.write("m.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n");
+  const std::string part = "-threads 1 -tile 1 2 -output ";
+  CHECK_EQUAL(desk.run(part + "whole.tga").status, 0);
+  for (int count = 1; count < 100; ++count) {
+    check::ProgramRun run;
+    if (!runInjected(desk, part + "out.tga", "/^f?stat|^newfstat", "EIO", count, run)) return;
+    if (run.status != 0) continue;
+    check::report(desk.content("out.tga") == desk.content("whole.tga"), __FILE__, __LINE__,
+                  std::to_string(count));
+  }
+  CHECK(false);
 }
 
 TEST("a pipe without a reader is a failed output with a message, and no signal") {
@@ -155,6 +196,21 @@ TEST("messages never end up in a picture where standard error is closed") {
   CHECK_EQUAL(desk.run("-output c -normals none/b <&- >&- 2>&-").status, 1);
   CHECK(desk.content("a") == desk.content("c"));
   CHECK_EQUAL(check::runProgram("-input - -output d <&-", desk.path()).status, 3);
+}
+
+TEST("messages never end up in a file where there is neither standard error nor /dev/null") {
+  if (!hasStrace()) SKIP("there is no strace that works here");
+  if (kHasSanitizer) SKIP("a sanitizer has calls of its own");
+  const Desk desk;
+  const std::string bare =
+      "strace -f -qq -o log -P /dev/null -e trace=openat -e inject=openat:error=ENOENT "
+      "sh -c 'exec \"$0\" \"$@\" 2>&-'";
+  const std::string command = "-output a -normals none/b -checkpoint c";
+  for (int run = 0; run < 2; ++run) CHECK_EQUAL(desk.run(command, bare).status, 1);
+  CHECK(contains(desk.content("log"), "(INJECTED)"));
+  CHECK_EQUAL(desk.run(command).errors,
+              "raytracer: none/b: cannot be written: No such file or directory\n"
+              "raytracer: c: taken up with 100 % done\n");
 }
 
 TEST("a small disk that is full leaves the old picture and no litter, without root's rights too") {

@@ -235,7 +235,7 @@ TEST("a checkpoint of a part belongs to that part") {
   std::filesystem::create_directory(desk.file("no"));
   std::filesystem::remove(desk.file("p2.tga"));
   CHECK_EQUAL(desk.run(start + " -tile 2 2").errors,
-              "raytracer: c: taken up with 50 % done\n");  // the colours, of two pictures
+              "raytracer: c: taken up with 100 % done\n");  // both pictures
   CHECK(check::contentOf(desk.file("p2.tga")) == expected);
 }
 

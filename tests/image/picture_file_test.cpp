@@ -99,6 +99,16 @@ TEST("files that claim to hold enormous pictures are refused at once") {
   CHECK(contains(quickFault("PF 65535 65535 -1\n"), "expected the data of"));
 }
 
+TEST("a device that never ends is no picture, and is read no further than 64 MB") {
+  std::string message;
+  try {
+    readImage("/dev/zero");
+  } catch (const ImageError& error) {
+    message = error.what();
+  }
+  CHECK_EQUAL(message, "/dev/zero: expected at most 64 MB from a device, found more");
+}
+
 TEST("a PNG that is enormous when it is unpacked is refused at once") {
   // Zeros shrink to a thousandth: the data could be those of 40000 x 40000 grey pixels.
   CHECK(contains(quickFault(pngOf(40000, 40000, Bytes(1600000))), "is refused"));
