@@ -147,3 +147,17 @@ TEST("the same picture gives the same bytes") {
   Random random(25), again(25);
   CHECK(encodePng(picture(90, 80, 3, random)) == encodePng(picture(90, 80, 3, again)));
 }
+
+TEST("a PNG file does not depend on how many threads compress it") {
+  Random random(26);
+  // Of several pieces of 256 KB, in one stretch and in several; tried row by row, and by stretches.
+  const int sizes[][2] = {{330, 300}, {700, 680}, {900, 800}};
+  for (const auto& size : sizes) {
+    const Image image = picture(size[0], size[1], 3, random);
+    const Bytes alone = encodePng(image);
+    CHECK(isEqual(decodePng(alone, "alone.png"), image));
+    for (const int threads : {2, 3, 16}) {
+      CHECK(encodePng(image, PngEffort::automatic, threads) == alone);
+    }
+  }
+}

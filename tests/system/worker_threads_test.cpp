@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <vector>
 
 #include "check.h"
 
@@ -33,4 +34,21 @@ TEST("every index is worked on once, and the first exception comes out after the
   };
   CHECK_THROWS(runOnThreads(8, 1 << 16, failing), std::runtime_error);
   CHECK_EQUAL(done.load(), 7);
+}
+
+TEST("shared calls are each made once, on any number of threads; none begins after an exception") {
+  for (const int threads : {1, 3, 100}) {
+    for (const std::size_t count : {0u, 1u, 2u, 1000u}) {
+      std::vector<std::atomic<int>> calls(count);
+      shareOnThreads(threads, 1 << 16, count, [&](std::size_t i) { ++calls[i]; });
+      for (const auto& each : calls) CHECK_EQUAL(each.load(), 1);
+    }
+  }
+  std::size_t last = 0;
+  const auto failing = [&](std::size_t i) {
+    last = i;
+    if (i == 3) throw std::runtime_error("three");
+  };
+  CHECK_THROWS(shareOnThreads(1, 1 << 16, 1000, failing), std::runtime_error);
+  CHECK_EQUAL(last, std::size_t(3));
 }
