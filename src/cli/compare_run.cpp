@@ -196,14 +196,15 @@ bool writeOutputs(std::vector<ComparedPair>& pairs, const Image& difference,
       write();
       return;
     } catch (const std::bad_alloc&) {
-      complain("not enough memory for -csv or -report");
+      complain("not enough memory for -diff, -csv or -report");
     } catch (const std::exception& error) {
       complain(error.what());
     }
     written = false;
   };
-  if (difference.Width() > 0)
+  if (difference.Width() > 0) {
     attemptWriting([&] { writePicture(difference, options.diff, hardwareThreads()); });
+  }
   if (!options.csv.empty()) attemptWriting([&] { addToCsv(pairs, options.csv); });
   if (!options.report.empty()) {
     attemptWriting([&] {
