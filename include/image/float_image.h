@@ -10,9 +10,7 @@ class FloatImage {
  public:
   FloatImage() = default;
   /// Black. width and height are at least 1.
-  FloatImage(int width, int height)
-      : width_(width),
-        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+  FloatImage(int width, int height);
 
   int Width() const { return width_; }
   int Height() const {
