@@ -2,7 +2,7 @@
 // Compiled with flags of its own where the processor may have it; elsewhere never chosen.
 #include <cstdint>
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) || defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
