@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "check.h"
+#include "patience.h"
 #include "random.h"
 #include "started_program.h"
 
@@ -59,13 +60,15 @@ struct Desk : check::ScratchFolder {
   }
 };
 
+constexpr double kAtOnce = 100 * kPatience;  // ms
+
 /// Ends the program by SIGINT and SIGTERM, `delay` ms after its start. The machine may be busy: of
 /// several tries the quickest counts, but each has to leave the folder as it was.
 void checkEndsAtOnce(const Desk& desk, const std::string& arguments, double delay) {
   const std::size_t files = desk.fileCount();
   for (const int signal : {SIGINT, SIGTERM}) {
     double quickest = 1e9;
-    for (int attempt = 0; attempt < 8 && quickest >= 100; ++attempt) {
+    for (int attempt = 0; attempt < 8 && quickest >= kAtOnce; ++attempt) {
       StartedProgram program(arguments, desk.path());
       check::sleepMilliseconds(delay);
       CHECK(program.isRunning());
@@ -75,7 +78,7 @@ void checkEndsAtOnce(const Desk& desk, const std::string& arguments, double dela
       fs::remove(desk.file("c"));  // a checkpoint, where there is one
       CHECK_EQUAL(desk.fileCount(), files);
     }
-    CHECK(quickest < 100);
+    CHECK(quickest < kAtOnce);
   }
   CHECK_EQUAL(contentOf(desk.file("said")), "");
 }

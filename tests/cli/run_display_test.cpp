@@ -5,8 +5,9 @@
 #include "cli/desk.h"
 #include "cli/progress_line.h"
 #include "cli/terminal_picture.h"
+#include "started_program.h"
 
-using check::contains, check::contentOf, check::Desk;
+using check::contains, check::contentOf, check::Desk, check::StartedProgram;
 
 namespace {
 
@@ -77,12 +78,13 @@ TEST("a terminal sees progress unless -quiet") {
 
 TEST("a signal ends the line of progress and leaves no litter") {
   const Desk desk;
-  const check::ProgramRun run =
-      desk.run("-input scene.txt -size 4000 4000 -threads 1 -output a -progress",
-               "timeout --preserve-status -s INT 0.6");
-  CHECK_EQUAL(run.status, 130);
-  CHECK(run.errors != "" && run.errors.back() == '\n');
-  CHECK_EQUAL(desk.fileCount(), 1u);
+  StartedProgram program("-input scene.txt -size 4000 4000 -threads 1 -output a -progress",
+                         desk.path());
+  while (program.isRunning() && !contains(contentOf(desk.file("said")), " %"))
+    check::sleepMilliseconds(5);
+  CHECK_EQUAL(program.end(SIGINT), 130);
+  CHECK_EQUAL(contentOf(desk.file("said")).back(), '\n');
+  CHECK_EQUAL(desk.fileCount(), 2u);  // the scene, and what was said
 }
 
 TEST("-preview prints the picture once where standard output is no terminal") {
