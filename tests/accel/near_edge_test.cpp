@@ -2,6 +2,7 @@
 // vertex or a sphere's rim by next to nothing, and bounds next to the hit itself.
 #include "check.h"
 #include "comparison.h"
+#include "patience.h"
 #include "random_scene.h"
 
 using accel_test::Comparison;
@@ -90,7 +91,7 @@ TEST("rays past edges and vertices of closed meshes hit what the double function
   Random random(11);
   int tried = 0, hits = 0;
   std::string failure;
-  for (int round = 0; round < 120 && failure.empty(); ++round) {
+  for (int round = 0; round < casesFor(120) && failure.empty(); ++round) {
     Owner owner;
     const double size = random.index(3) ? 1 : random.logUniform(1e-15, 1e15);
     const double away = random.index(2) ? 0 : size * random.logUniform(1, 1e4);
@@ -109,14 +110,14 @@ TEST("rays past edges and vertices of closed meshes hit what the double function
     hits += comparison.hits();
   }
   CHECK_EQUAL(failure, "");
-  CHECK(tried > 1000000 && hits > 100000);
+  CHECK(tried > casesFor(1000000) && hits > casesFor(100000));
 }
 
 TEST("rays past edges and vertices of loose triangles hit what the double function says") {
   Random random(12);
   int tried = 0, hits = 0;
   std::string failure;
-  for (int round = 0; round < 120 && failure.empty(); ++round) {
+  for (int round = 0; round < casesFor(120) && failure.empty(); ++round) {
     Owner owner;
     Group group;
     const double size = random.index(3) ? 1 : random.logUniform(1e-18, 1e18);
@@ -137,14 +138,14 @@ TEST("rays past edges and vertices of loose triangles hit what the double functi
     hits += comparison.hits();
   }
   CHECK_EQUAL(failure, "");
-  CHECK(tried > 800000 && hits > 100000);
+  CHECK(tried > casesFor(800000) && hits > casesFor(100000));
 }
 
 TEST("rays past the rims of spheres hit what the double function says") {
   Random random(13);
   int tried = 0, hits = 0;
   std::string failure;
-  for (int round = 0; round < 100 && failure.empty(); ++round) {
+  for (int round = 0; round < casesFor(100) && failure.empty(); ++round) {
     Owner owner;
     Group group;
     const double size = random.index(3) ? 1 : random.logUniform(1e-18, 1e18);
@@ -176,14 +177,14 @@ TEST("rays past the rims of spheres hit what the double function says") {
     hits += comparison.hits();
   }
   CHECK_EQUAL(failure, "");
-  CHECK(tried > 600000 && hits > 100000);
+  CHECK(tried > casesFor(600000) && hits > casesFor(100000));
 }
 
 TEST("of layers of triangles next to each other the nearest is found, and none behind a bound") {
   Random random(14);
   int tried = 0, hits = 0;
   std::string failure;
-  for (int round = 0; round < 200 && failure.empty(); ++round) {
+  for (int round = 0; round < casesFor(200) && failure.empty(); ++round) {
     Owner owner;
     Group group;
     std::vector<Vec3f> vertices;
@@ -240,5 +241,5 @@ TEST("of layers of triangles next to each other the nearest is found, and none b
     hits += comparison.hits();
   }
   CHECK_EQUAL(failure, "");
-  CHECK(tried > 500000 && hits > 100000);
+  CHECK(tried > casesFor(500000) && hits > casesFor(100000));
 }

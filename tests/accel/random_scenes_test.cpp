@@ -1,6 +1,7 @@
 // The compiled scene gives exactly what the plain objects give, on random scenes.
 #include "check.h"
 #include "comparison.h"
+#include "patience.h"
 #include "random_scene.h"
 
 using accel_test::Comparison;
@@ -9,7 +10,7 @@ using accel_test::RandomScene;
 
 namespace {
 
-constexpr int kScenes = 200;
+constexpr int kScenes = casesFor(200);
 
 /// Scene `i` of the test: few and many objects, all sizes, some far from the origin.
 RandomScene sceneOf(int i) {
@@ -118,7 +119,7 @@ TEST("single rays find in 200 random scenes what the plain objects give, bit for
     tried += comparison.tried();
     checkAll(comparison);
   }
-  CHECK(tried > 100000 && hits > 20000);
+  CHECK(tried > casesFor(100000) && hits > casesFor(20000));
 }
 
 TEST("batches find in 200 random scenes what the plain objects give, bit for bit") {
@@ -135,5 +136,5 @@ TEST("batches find in 200 random scenes what the plain objects give, bit for bit
     hits += comparison.hits();
     checkAll(comparison);
   }
-  CHECK(hits > 20000);
+  CHECK(hits > casesFor(20000));
 }

@@ -2,6 +2,7 @@
 #include "geometry/triangle_mesh.h"
 
 #include "geometry/shapes.h"
+#include "patience.h"
 #include "random.h"
 #include "vectors.h"
 
@@ -101,7 +102,7 @@ TEST("no ray from inside a closed mesh passes its edges or vertices") {
   const TriangleMesh mesh(&geometry, &kMaterial);
   Random random(41);
   check::Cases cases;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < casesFor(100000); ++i) {
     const std::uint32_t face = std::uint32_t(random.index(int(geometry.faceCount())));
     const Vec3d target = randomSeam(geometry, face, random);
     const Vec3d origin = i % 8 == 0 ? Vec3d() : random.inCube(-0.5, 0.5);
@@ -136,7 +137,7 @@ TEST("crossings at the seams of a closed mesh alternate and sum to nothing from 
   const TriangleMesh mesh(&geometry, &kMaterial);
   Random random(43);
   check::Cases cases;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < casesFor(20000); ++i) {
     const std::uint32_t face = std::uint32_t(random.index(int(geometry.faceCount())));
     const Vec3d target = randomSeam(geometry, face, random);
     const Vec3d origin = random.ofLength(1.1, 10);
@@ -153,7 +154,7 @@ TEST("from inside a closed mesh one more crossing leads out") {
   const TriangleMesh mesh(&geometry, &kMaterial);
   Random random(44);
   check::Cases cases;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < casesFor(20000); ++i) {
     const std::uint32_t face = std::uint32_t(random.index(int(geometry.faceCount())));
     const Vec3d origin = random.inCube(-0.5, 0.5);
     const Ray ray(origin, randomSeam(geometry, face, random) - origin);

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "check.h"
+#include "patience.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -194,7 +195,7 @@ TEST("whole numbers fill their word and fit in an int") {
 TEST("a million random words agree with strtod and strtof to the last bit") {
   std::mt19937_64 random(20);
   int read = 0;
-  for (int i = 0; i < 1'000'000; ++i) {
+  for (int i = 0; i < casesFor(1'000'000); ++i) {
     const std::string word = randomWord(random);
     const double expected = std::strtod(word.c_str(), nullptr);
     const float expectedSingle = std::strtof(word.c_str(), nullptr);
@@ -207,14 +208,14 @@ TEST("a million random words agree with strtod and strtof to the last bit") {
     if (!isRight) check::report(false, __FILE__, __LINE__, word);
     read += isRead;
   }
-  CHECK(read > 900'000);
+  CHECK(read > casesFor(900'000));
 }
 
 TEST("ten million random words agree with std::from_chars to the last bit") {
   std::atomic<int> read{0}, wrong{0};
   runOnThreads(4, 1 << 20, [&](int seed) {
     std::mt19937_64 random(std::uint64_t(seed) + 100);
-    for (int i = 0; i < 2'500'000; ++i) {
+    for (int i = 0; i < casesFor(2'500'000); ++i) {
       const std::string word = randomWord(random);
       const char *const start = word.data() + (word[0] == '+'), *const end = &word[word.size()];
       double expected = 0, value = 0;
@@ -230,12 +231,12 @@ TEST("ten million random words agree with std::from_chars to the last bit") {
     }
   });
   CHECK_EQUAL(wrong, 0);
-  CHECK(read > 8'000'000);
+  CHECK(read > casesFor(8'000'000));
 }
 
 TEST("numbers halfway between two floats or doubles, and a trace beside them, are rounded right") {
   std::mt19937_64 random(22);
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < casesFor(100'000); ++i) {
     // 54 and 25 bits, the last of them set: halfway. Written out in full, with up to 60 decimals.
     const bool isSingle = i % 2 == 0;
     const std::uint64_t bits = isSingle ? random() >> 39 | 1 : random() >> 10 | 1;
@@ -260,7 +261,7 @@ TEST("numbers halfway between two floats or doubles, and a trace beside them, ar
 
 TEST("random doubles and floats written with all their digits come back") {
   std::mt19937_64 random(21);
-  for (int i = 0; i < 200'000; ++i) {
+  for (int i = 0; i < casesFor(200'000); ++i) {
     const std::uint64_t bits = random();
     double value = 0;
     float single = 0;
