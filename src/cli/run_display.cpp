@@ -54,7 +54,7 @@ void RunDisplay::tileIsDone(const PixelRectangle& area, double eyeRays) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
   }
-  line_.show(rays_, allRays_, seconds_);
+  if (rays_ < allRays_) line_.show(rays_, allRays_, seconds_);  // the last one comes by finish()
 }
 
 void RunDisplay::finish() {
