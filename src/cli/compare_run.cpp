@@ -85,6 +85,7 @@ std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
     checkNoOutput(files.actual, options);
   }
   std::vector<ComparedPair> pairs;
+  pairs.reserve(found.size());
   Image none;
   for (const PicturePair& files : found) pairs.push_back(compareFiles(files, options, none));
   return pairs;
