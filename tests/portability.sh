@@ -36,7 +36,7 @@ since() {
   echo "$(($(date +%s) - $1)) s"
 }
 
-# build NAME CMAKE_ARGUMENTS: the program; with its unit tests where $target says so.
+# build NAME CMAKE_ARGUMENTS: the program; with all tests where $target says so.
 target=raytracer
 build() {
   name=$1
@@ -47,15 +47,15 @@ build() {
   return 1
 }
 
-# unit_tests NAME: all but the pictures, which compare() does, and what an emulator cannot do.
-unit_tests() {
+# all_tests NAME: all but the pictures, which compare() does, and what an emulator cannot do.
+all_tests() {
   log=$build/portability/$1/tests.log
   began=$(date +%s)
   excluded=$(sed 's/[[:space:]]*#.*//' "$root/tests/not_emulated.txt" | grep . | paste -s -d '|')
   if (cd "$build/portability/$1" && ctest -j"$(count_jobs)" -E "^($excluded)\$") >"$log" 2>&1; then
-    say ok "$1 unit tests: $(grep -c ' Passed ' "$log") files of tests, $(since "$began")"
+    say ok "$1 tests: $(grep -c ' Passed ' "$log") passed, $(since "$began")"
   else
-    say FAILED "$1 unit tests"
+    say FAILED "$1 tests"
     sed -n '/tests passed/,$p' "$log"
   fi
 }
@@ -116,7 +116,7 @@ musl() {
     compare_levels musl
 }
 
-# cross NAME TRIPLE QEMU DEBIAN_NAME WHAT FLAGS: WHAT is raytracer, or unit_tests for those too. The
+# cross NAME TRIPLE QEMU DEBIAN_NAME WHAT FLAGS: WHAT is raytracer, or all for the tests too. The
 # emulator is left away where the program runs without, as 32-bit programs mostly do here.
 cross() {
   is_wanted "$1" || return 0
@@ -135,7 +135,7 @@ cross() {
   runner=qemu-$3-static
   "$build/portability/$1/raytracer" -version >/dev/null 2>&1 && runner=
   RUNNER=$runner compare "$1" -threads 2
-  [ "$5" != unit_tests ] || unit_tests "$1"
+  [ "$5" != all ] || all_tests "$1"
 }
 
 # refuses NAME MESSAGE CMAKE_ARGUMENTS: no build comes of them, and the message says why.
@@ -202,8 +202,8 @@ is_wanted g++-vectors && have g++ &&
   compare g++-vectors -simd baseline
 if have clang++; then other_library; else say 'left out' 'clang++-libc++: no clang++ here'; fi
 musl
-cross s390x s390x-linux-gnu s390x s390x unit_tests ''
-cross aarch64 aarch64-linux-gnu aarch64 arm64 unit_tests ''
+cross s390x s390x-linux-gnu s390x s390x all ''
+cross aarch64 aarch64-linux-gnu aarch64 arm64 all ''
 cross armhf arm-linux-gnueabihf arm armhf raytracer ''
 cross riscv64 riscv64-linux-gnu riscv64 riscv64 raytracer ''
 cross i686-sse2 i686-linux-gnu i386 i386 raytracer '-msse2 -mfpmath=sse'
