@@ -26,8 +26,8 @@ Image readPng(const std::string& path);
 /// A PNG file of 8 bits per sample, not interlaced: with a palette where there are at most 256
 /// colours (and the palette costs less than it saves), else RGB. Rows are filtered so that they
 /// compress well. With PngEffort::automatic the filter of each row is found by trial up to 2^19
-/// pixels, which takes about 1.5 microseconds a pixel; beyond that one filter is tried for a
-/// megabyte at a time, and copies are searched for less far, which takes about 0.8. With
+/// pixels, which takes one thread about 2.5 microseconds a pixel; beyond that one filter is tried
+/// for a megabyte at a time, and copies are searched for less far, which takes about 1.2. With
 /// PngEffort::quick filters are chosen by the least sum of differences. Besides the picture, memory
 /// is asked for a few megabytes of it at a time. The work is shared among `threads` >= 1 threads at
 /// most; the bytes do not depend on them, nor on anything but the picture and the effort. Sides are
