@@ -103,12 +103,6 @@ struct Options {
 /// checkFiles.
 Options parseOptions(const std::vector<std::string>& words);
 
-/// The argument that prints on standard output, with its dash, or "" where none does.
-std::string printingArgument(const Options& options);
-
-/// Throws the UsageError for an output on standard output beside the lines of `argument`.
-[[noreturn]] void failPrinting(const std::string& argument);
-
 /// Throws UsageError where two outputs name the same file, or an output is the scene, one of
 /// `meshFiles` or a part to merge, or standard output (by whatever name) where lines are printed
 /// there. Links are followed; a device such as /dev/null may be named more than once.

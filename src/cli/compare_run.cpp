@@ -226,8 +226,7 @@ void checkOutputs(const CompareOptions& options, bool quiet) {
     for (int k = 0; k < i; ++k) {
       if (isSameOutput(*files[k], *files[i])) refuse(*files[k], *files[i]);
     }
-    const bool isStandardOutput = *files[i] == "-" || isSameOutput(*files[i], "-");
-    if (quiet || !isStandardOutput) continue;
+    if (quiet || !isSameOutput(*files[i], "-")) continue;
     throw UsageError(
         "-compare: expected standard output for the figures (which -quiet leaves "
         "out), found '" +

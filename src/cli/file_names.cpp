@@ -40,6 +40,15 @@ bool isInput(const std::string& input, const std::string& output) {
   return !input.empty() && !output.empty() && sameFile(inputPath(input), outputPath(output));
 }
 
+/// The argument that prints on standard output, or "" where none does.
+std::string printingArgument(const Options& options) {
+  if (options.stats) return "-stats";
+  if (options.tracesPixel) return "-pixel";
+  if (!options.heatmapOutput.empty()) return "-heatmap";
+  if (!options.materialsOutput.empty()) return "-materials";
+  return options.preview ? "-preview" : "";
+}
+
 }  // namespace
 
 bool isSameOutput(const std::string& a, const std::string& b) {
@@ -66,10 +75,12 @@ void checkFiles(const Options& options, const std::vector<std::string>& meshFile
     if (isSameOutput(part, options.merge.output))
       refuse({"-merge: OUT", options.merge.output}, {"PART", part});
   }
-  const std::string printing = options.check ? "" : printingArgument(options);
+  const std::string printing = printingArgument(options);
   for (const Named& output : outputs) {
     if (isInput(input.file, output.file)) refuse(input, output);
-    if (!printing.empty() && isSameOutput(output.file, "-")) failPrinting(printing);
+    if (!printing.empty() && isSameOutput(output.file, "-")) {
+      throw UsageError(printing + ": expected standard output for its lines, found an image there");
+    }
     for (const Named* other = outputs; other != &output; ++other) {
       if (isSameOutput(other->file, output.file)) refuse(*other, output);
     }

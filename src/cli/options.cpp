@@ -60,14 +60,6 @@ void note(const GivenOption& option, std::vector<GivenOption>& given) {
   given.push_back(option);
 }
 
-void checkStandardOutput(const Options& options) {
-  const std::string printing = printingArgument(options);
-  if (options.check || printing.empty()) return;
-  for (const Output& output : wantedOutputs(options)) {
-    if (output.file == "-") failPrinting(printing);
-  }
-}
-
 void checkGridPicture(const Options& options) {
   if (options.gridPicture == Options::GridPicture::none) return;
   if (options.accel == Options::Accel::grid) return;
@@ -99,7 +91,6 @@ void checkComplete(const Options& options) {
   if (options.input.empty()) throw UsageError("expected a scene, found no -input FILE");
   const bool isAnyWanted = !wantedOutputs(options).empty() || options.tracesPixel ||
                            options.preview || options.stats || options.check;
-  checkStandardOutput(options);
   if (!isAnyWanted)
     throw UsageError(
         "expected something to do with the scene, found none of -output, -depth, -normals, "
@@ -108,18 +99,6 @@ void checkComplete(const Options& options) {
 }
 
 }  // namespace
-
-std::string printingArgument(const Options& options) {
-  if (options.stats) return "-stats";
-  if (options.tracesPixel) return "-pixel";
-  if (!options.heatmapOutput.empty()) return "-heatmap";
-  if (!options.materialsOutput.empty()) return "-materials";
-  return options.preview ? "-preview" : "";
-}
-
-void failPrinting(const std::string& argument) {
-  throw UsageError(argument + ": expected standard output for its lines, found an image there");
-}
 
 Options parseOptions(const std::vector<std::string>& words) {
   Options options;
