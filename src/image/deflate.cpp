@@ -66,8 +66,9 @@ void DeflateWriter::append(const Bytes& bytes, std::size_t from, const Costs& co
   const std::size_t size = bytes.size() - from, count = (size + kPiece - 1) / kPiece;
   std::vector<Piece> pieces(count);
   for (std::size_t i = 0; i < count; ++i) {
-    pieces[i].from = from + size * i / count;
-    pieces[i].to = from + size * (i + 1) / count;
+    const std::size_t share = (size + count - 1) / count;
+    pieces[i].from = from + std::min(size, share * i);
+    pieces[i].to = from + std::min(size, share * (i + 1));
   }
   shareOnThreads(threads_, kStack, count,
                  [&](std::size_t i) { findTokens(bytes.data(), costs, pieces[i]); });
