@@ -52,6 +52,8 @@ std::string temporaryFolder();
 /// Path of the folder tests/ in the source tree, and of the reference pictures (perhaps absent).
 std::string testsFolder();
 std::string referenceFolder();
+/// The raytracer executable under test.
+std::string programToTest();
 
 }  // namespace check
 

@@ -63,6 +63,7 @@ std::string temporaryFolder() {
   return folder;
 }
 std::string testsFolder() { return TEST_SOURCE_FOLDER; }
+std::string programToTest() { return RAYTRACER_PROGRAM; }
 std::string referenceFolder() {
   const char* given = std::getenv("RAYTRACER_REFERENCE");
   return given ? given : testsFolder() + "/../../shared/reference";

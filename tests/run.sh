@@ -27,7 +27,7 @@ case $mode in
   '')
     install_missing
     build_program
-    cd "$build" && exec ctest --output-on-failure
+    cd "$build" && exec ctest --output-on-failure -j"$(count_jobs)"
     ;;
   --numbers)
     install_missing

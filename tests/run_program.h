@@ -77,7 +77,7 @@ inline ProgramRun runProgram(const std::string& arguments, const std::string& fo
   const ScratchFolder scratch;
   const std::string output = scratch.file("stdout"), errors = scratch.file("stderr");
   const std::string command = "cd " + quoted(folder) + " && { " + before + " " +
-                              quoted(RAYTRACER_PROGRAM) + " " + arguments + "; } >" +
+                              quoted(check::programToTest()) + " " + arguments + "; } >" +
                               quoted(output) + " 2>" + quoted(errors) + " </dev/null";
   const int result = std::system(command.c_str());
   const int status = WIFEXITED(result) ? WEXITSTATUS(result) : 128 + WTERMSIG(result);

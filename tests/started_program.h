@@ -16,7 +16,7 @@ class StartedProgram {
  public:
   /// As runProgram, but does not wait. What it says goes to the file "said" in the folder.
   StartedProgram(const std::string& arguments, const std::string& folder)
-      : command_("cd " + quoted(folder) + " && exec " + quoted(RAYTRACER_PROGRAM) + " " +
+      : command_("cd " + quoted(folder) + " && exec " + quoted(check::programToTest()) + " " +
                  arguments + " 2>>said"),
         pid_(fork()) {
     if (pid_ != 0) return;

@@ -168,7 +168,7 @@ TEST("many runs at once add their rows to one table, and none is lost") {
   std::filesystem::create_symlink("t.csv", desk.file("link"));
   std::string all = "a.tga a.tga -csv t.csv";
   for (int run = 1; run < 12; ++run) {
-    all += " & " + quoted(RAYTRACER_PROGRAM) + " -compare a.tga a.tga -csv " +
+    all += " & " + quoted(check::programToTest()) + " -compare a.tga a.tga -csv " +
            (run % 2 == 0 ? "t.csv" : "link");
   }
   desk.run(all + "; wait");

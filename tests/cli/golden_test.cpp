@@ -11,7 +11,7 @@ check::ProgramRun runGolden(const std::string& mode) {
   const check::ScratchFolder scratch;
   const std::string output = scratch.file("output");
   const std::string command = "RUNNER= sh " + check::quoted(check::testsFolder() + "/golden.sh") +
-                              " " + mode + " " + check::quoted(RAYTRACER_PROGRAM) + " >" +
+                              " " + mode + " " + check::quoted(check::programToTest()) + " >" +
                               check::quoted(output) + " 2>&1 </dev/null";
   const int result = std::system(command.c_str());
   return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, check::contentOf(output), ""};

@@ -166,7 +166,7 @@ TEST("a file that cannot be asked for its size never gives a part of another pic
 TEST("a pipe without a reader is a failed output with a message, and no signal") {
   const Desk desk;
   const std::string command =
-      "cd " + quoted(desk.path()) + " && { " + quoted(RAYTRACER_PROGRAM) +
+      "cd " + quoted(desk.path()) + " && { " + quoted(check::programToTest()) +
       " -input scene.txt -size 300 300 -output - 2> said; echo $? > status; } | true";
   CHECK_EQUAL(std::system(command.c_str()), 0);
   CHECK_EQUAL(desk.content("status"), "1\n");
@@ -223,7 +223,7 @@ TEST("a small disk that is full leaves the old picture and no litter, without ro
   if (std::system(test.c_str()) != 0) SKIP("cannot mount a small disk");
   fs::remove(desk.file("disk"));
   // 200 x 150 pixels take 90018 bytes.
-  const std::string program = std::string(RAYTRACER_PROGRAM);
+  const std::string program = check::programToTest();
   const std::string script = "cd " + quoted(desk.path()) + " && " + inside + "\"" + program +
                              "\" -input scene.txt -size 200 150 -output disk/out.tga 2> said; "
                              "echo $? > status; cat disk/out.tga > kept; ls disk > names'";

@@ -25,7 +25,7 @@ std::size_t countOf(const std::string& text, const std::string& part) {
 std::string onTerminal(const Desk& desk, const std::string& arguments) {
   if (std::system("command -v script >/dev/null 2>&1") != 0) SKIP("no script(1)");
   const std::string command =
-      "stty cols 30 rows 10; " + check::quoted(RAYTRACER_PROGRAM) + " " + arguments;
+      "stty cols 30 rows 10; " + check::quoted(check::programToTest()) + " " + arguments;
   const std::string whole = "cd " + check::quoted(desk.path()) + " && script -qec " +
                             check::quoted(command) + " /dev/null </dev/null >terminal";
   CHECK_EQUAL(std::system(whole.c_str()), 0);

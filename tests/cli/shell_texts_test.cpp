@@ -152,7 +152,7 @@ TEST("the program prints its texts on standard output with status 0") {
 }
 
 TEST("an installation has program, manual page and completion in their places") {
-  const std::string build = std::filesystem::path(RAYTRACER_PROGRAM).parent_path();
+  const std::string build = std::filesystem::path(check::programToTest()).parent_path();
   const bool hasTexts = std::filesystem::exists(build + "/share/raytracer.1");
   if (!isInstalled("cmake") || !hasTexts) SKIP("no cmake, or no texts built");
   const ScratchFolder folder;

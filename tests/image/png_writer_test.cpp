@@ -125,7 +125,7 @@ TEST("the pictures of the scenes, 100 x 75, take at most 9.7 % of their TGA file
   // They took 10.2 % when copies were searched for in short chains and there were no palettes.
   // The larger a picture is, the less: at the scenes' own sizes all together take 7.1 %.
   double png = 0, tga = 0;
-  const std::filesystem::path folder = std::filesystem::path(TEST_SOURCE_FOLDER) / "expected";
+  const std::filesystem::path folder = std::filesystem::path(check::testsFolder()) / "expected";
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     if (file.path().extension() != ".png") continue;
     const Image image = readPng(file.path().string());
