@@ -7,7 +7,7 @@
 #include "geometry/object3d.h"
 #include "image/image.h"
 #include "render/render_options.h"
-#include "render/tile_listener.h"
+#include "render/tile_hooks.h"
 #include "scene/scene_parser.h"
 
 /// The rays of each pixel's own samples, shadow rays too, row by row from the lowest: the central

@@ -9,8 +9,7 @@
 #include "render/material_colors.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
-#include "render/tile_keeper.h"
-#include "render/tile_listener.h"
+#include "render/tile_hooks.h"
 #include "scene/scene_parser.h"
 
 /// Which pixels of the whole picture the targets hold, where they are a part of it: those from
@@ -40,7 +39,7 @@ struct RenderTargets {
   /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
   PictureWindow window{};
   TileListener* listener = nullptr;  ///< null: nobody wants to know of tiles
-  TileKeeper* keeper = nullptr;      ///< null: nobody keeps tiles
+  TileStore* store = nullptr;        ///< null: nobody keeps tiles
 };
 
 /// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`

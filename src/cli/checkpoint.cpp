@@ -1,140 +1,162 @@
-// Checkpoint.
+// Checkpoint. A tile's way: a worker thread finishes it and notes its number; the saving thread
+// takes all that are noted, copies their pixels out of the pictures and appends them to the file.
+// The next run of the same command reads them all before it renders, and its workers pass over
+// them.
+//
+// Signals reach the saving thread through a pipe: a signal handler may do little, but it may write
+// a byte (see passSignalsTo). The thread sleeps on that pipe between two times of saving.
 #include "cli/checkpoint.h"
 
-#include <exception>
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
 
-#include "cli/fingerprint.h"
+#include <algorithm>
+#include <cerrno>
+#include <exception>
+#include <system_error>
+
 #include "cli/messages.h"
+#include "image/temporary_names.h"
 #include "render/tile_bytes.h"
 
 namespace {
 
-constexpr std::size_t kPiece = std::size_t(1) << 18;  // bytes that are written at once
+constexpr std::chrono::milliseconds kInterval{500};
+/// The program is to end within 100 ms of a signal.
+constexpr std::chrono::milliseconds kLastSave{50};
 
-/// The pixels of the pictures; none where there are none.
-PixelRectangle wholeOf(const RenderTargets& targets) {
-  const Image* image = targets.color     ? targets.color
-                       : targets.depth   ? targets.depth
-                       : targets.normals ? targets.normals
-                       : targets.samples ? targets.samples
-                                         : targets.materials;
-  if (!image) return {0, 0, 0, 0};
-  const int zoom = image == targets.samples ? targets.samplesZoom : 1;
-  return {0, 0, image->Width() / zoom, image->Height() / zoom};
+/// Of the file: a checkpoint of layout 1, which had other records, is no file of ours.
+constexpr std::uint64_t kLayout = 2;
+
+/// How many tiles so many pixels have along an axis.
+std::uint32_t tilesAlong(int pixels) {
+  return std::uint32_t((pixels + TileStore::kSide - 1) / TileStore::kSide);
 }
-
-int blocksAlong(int pixels, int block) { return (pixels + block - 1) / block; }
 
 }  // namespace
 
 Checkpoint::Checkpoint(const std::string& path, const Digest& fingerprint,
                        const RenderTargets& targets)
     : targets_(targets),
-      whole_(wholeOf(targets)),
-      found_(std::size_t(blocksAlong(whole_.right, kBlock)) *
-             std::size_t(blocksAlong(whole_.top, kBlock))),
+      whole_(wholeArea(targets)),
+      columns_(tilesAlong(whole_.right)),
+      rows_(tilesAlong(whole_.top)),
+      found_(std::size_t(columns_) * rows_),
       file_(path, fingerprint) {
-  file_.readTiles(
-      [this](const CheckpointFile::Tile& tile) { return bytesOf(tile); },
-      [this](const CheckpointFile::Tile& tile, const std::uint8_t* pixels) { take(tile, pixels); });
-  saving_ = std::make_unique<SavingThread>(
-      [this](SavingThread::Clock::time_point deadline) { save(deadline); });
+  file_.readTiles([this](const Tile& tile) { return byteCountOf(tile); },
+                  [this](const Tile& tile, const std::uint8_t* pixels) {
+                    const RenderTargets kept = withPictures(targets_, tile.pictures);
+                    setTileBytes(kept, areaOf(tile.number), pixels);
+                    std::uint8_t& found = found_[tile.number];
+                    found = std::uint8_t(found | tile.pictures);
+                  });
+  startSaving();
 }
 
-Checkpoint::~Checkpoint() = default;
+Checkpoint::~Checkpoint() { stop(); }
+
+PixelRectangle Checkpoint::areaOf(std::uint32_t tile) const {
+  const int left = int(tile % columns_) * kSide, bottom = int(tile / columns_) * kSide;
+  return {left, bottom, std::min(left + kSide, whole_.right), std::min(bottom + kSide, whole_.top)};
+}
 
 /// 0 for a tile that no run of this picture can have made.
-std::size_t Checkpoint::bytesOf(const CheckpointFile::Tile& tile) const {
-  const auto isSpan = [](int from, int to, int end) {
-    const bool begins = from >= 0 && from % kBlock == 0 && from < to;
-    return begins && to <= end && (to % kBlock == 0 || to == end);
-  };
-  const bool fits = isSpan(tile.area.left, tile.area.right, whole_.right) &&
-                    isSpan(tile.area.bottom, tile.area.top, whole_.top);
-  const bool isKnown = tile.pictures != 0 && tile.pictures < 1u << kPictureKinds;
-  if (!fits || !isKnown || (tile.pictures & ~pictureBits(targets_)) != 0) return 0;
-  return tileByteCount(withPictures(targets_, tile.pictures), tile.area);
+std::size_t Checkpoint::byteCountOf(const Tile& tile) const {
+  if (tile.number >= found_.size() || (tile.pictures & ~pictureBits(targets_)) != 0) return 0;
+  return tileByteCount(withPictures(targets_, tile.pictures), areaOf(tile.number));
 }
 
+/// Calls visit(number) for the tiles that make up `area`.
 template <class Visit>
-void Checkpoint::forEachBlock(const PixelRectangle& area, const Visit& visit) const {
-  const auto columns = std::size_t(blocksAlong(whole_.right, kBlock));
-  for (int j = area.bottom / kBlock; j < blocksAlong(area.top, kBlock); ++j) {
-    for (int i = area.left / kBlock; i < blocksAlong(area.right, kBlock); ++i) {
-      visit(std::size_t(j) * columns + std::size_t(i));
+void Checkpoint::forEachTile(const PixelRectangle& area, const Visit& visit) const {
+  for (std::uint32_t j = tilesAlong(area.bottom); j < tilesAlong(area.top); ++j) {
+    for (std::uint32_t i = tilesAlong(area.left); i < tilesAlong(area.right); ++i) {
+      visit(j * columns_ + i);
     }
   }
 }
 
-void Checkpoint::take(const CheckpointFile::Tile& tile, const std::uint8_t* pixels) {
-  setTileBytes(withPictures(targets_, tile.pictures), tile.area, pixels);
-  forEachBlock(tile.area, [&](std::size_t block) {
-    found_[block] = std::uint8_t(found_[block] | tile.pictures);
-  });
-}
-
 bool Checkpoint::isFinished(const RenderTargets& targets, const PixelRectangle& area) const {
-  const unsigned wanted = pictureBits(targets);
+  const std::uint32_t wanted = pictureBits(targets);
   bool finished = true;
-  forEachBlock(
-      area, [&](std::size_t block) { finished = finished && (found_[block] & wanted) == wanted; });
+  forEachTile(area, [&](std::uint32_t tile) { finished &= (found_[tile] & wanted) == wanted; });
   return finished;
 }
 
 void Checkpoint::finish(const RenderTargets& targets, const PixelRectangle& area) {
+  const std::uint32_t pictures = pictureBits(targets);
   const std::lock_guard<std::mutex> lock(mutex_);
-  unsaved_.push_back({area, pictureBits(targets)});
+  forEachTile(area, [&](std::uint32_t tile) { unsaved_.push_back({tile, pictures}); });
 }
 
-double Checkpoint::foundPart() const {
+double Checkpoint::foundShare() const {
   double wanted = 0, found = 0;
-  for (unsigned bit = 1; bit < 1u << kPictureKinds; bit *= 2) {
+  for (std::uint32_t bit = 1; bit < 1u << kPictureKinds; bit *= 2) {
     if (!(pictureBits(targets_) & bit)) continue;
     wanted += double(found_.size());
-    for (const std::uint8_t block : found_) found += (block & bit) != 0 ? 1 : 0;
+    for (const std::uint8_t tile : found_) found += (tile & bit) != 0 ? 1 : 0;
   }
   return found / wanted;
 }
 
-/// What cannot be saved now is tried again the next time: the pictures hold it meanwhile.
-void Checkpoint::save(SavingThread::Clock::time_point deadline) {
-  std::vector<CheckpointFile::Tile> tiles;
+void Checkpoint::startSaving() {
+  if (pipe2(signals_, O_CLOEXEC | O_NONBLOCK) != 0) {
+    throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
+  }
+  try {
+    saving_ = std::thread([this] { saveUntilStopped(); });
+  } catch (...) {
+    for (const int end : signals_) close(end);
+    throw;
+  }
+  passSignalsTo(signals_[1]);
+}
+
+void Checkpoint::saveUntilStopped() {
+  for (;;) {
+    struct pollfd event = {signals_[0], POLLIN, 0};
+    poll(&event, 1, int(kInterval.count()));
+    unsigned char signal = 0;
+    const bool called = read(signals_[0], &signal, 1) == 1;
+    save(called && signal != 0 ? Clock::now() + kLastSave : Clock::time_point::max());
+    if (called && signal == 0) return;
+    if (called) endOnSignal(signal);
+  }
+}
+
+/// Starts on no tile after the deadline. What cannot be saved now is tried again the next time: the
+/// pictures hold it meanwhile.
+void Checkpoint::save(Clock::time_point deadline) {
+  std::vector<Tile> tiles;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     tiles.swap(unsaved_);
   }
   try {
-    saveAll(tiles, deadline);
+    for (; !tiles.empty() && Clock::now() < deadline; tiles.pop_back()) {
+      const Tile& tile = tiles.back();
+      file_.append(tile, tileBytes(withPictures(targets_, tile.pictures), areaOf(tile.number)));
+    }
   } catch (const std::exception& error) {
     if (!complained_) complain(std::string("warning: ") + error.what());
     complained_ = true;
   }
-  if (tiles.empty()) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   unsaved_.insert(unsaved_.end(), tiles.begin(), tiles.end());
 }
 
-/// Takes out of `tiles` what is saved.
-void Checkpoint::saveAll(std::vector<CheckpointFile::Tile>& tiles,
-                         SavingThread::Clock::time_point deadline) {
-  Bytes records;
-  std::size_t left = tiles.size();
-  while (left > 0 && SavingThread::Clock::now() < deadline) {
-    const CheckpointFile::Tile& tile = tiles[--left];
-    Bytes record = CheckpointFile::beginRecord(tile);
-    appendTileBytes(withPictures(targets_, tile.pictures), tile.area, record);
-    file_.endRecord(record);
-    records.insert(records.end(), record.begin(), record.end());
-    if (records.size() < kPiece && left > 0) continue;
-    file_.append(records);
-    records.clear();
-    tiles.resize(left);
+/// From then on signals end the program at once again.
+void Checkpoint::stop() {
+  if (!saving_.joinable()) return;
+  passSignalsTo(-1);
+  const unsigned char end = 0;
+  // The pipe is not full: whoever sent so many signals would have been answered by the first one.
+  while (write(signals_[1], &end, 1) < 0 && errno == EINTR) {
   }
-  file_.append(records);
-  tiles.resize(left);
+  saving_.join();
+  for (const int descriptor : signals_) close(descriptor);
 }
-
-void Checkpoint::stop() { saving_.reset(); }
 
 void Checkpoint::remove() {
   stop();
@@ -145,21 +167,20 @@ void Checkpoint::remove() {
   }
 }
 
-std::unique_ptr<Checkpoint> openCheckpoint(const Options& options, const Digest& scene,
-                                           const std::vector<std::string>& meshFiles, int threads,
-                                           const RenderTargets& targets) {
-  if (options.checkpoint.empty()) return nullptr;
+std::unique_ptr<Checkpoint> openCheckpoint(const std::string& path, const Digest& picture,
+                                           const RenderTargets& targets, bool quiet) {
   Sha256 fingerprint;
-  fingerprint.add(pictureFingerprint(options, scene, meshFiles, threads));
+  fingerprint.add(picture);
   fingerprint.addNumber(pictureBits(targets));  // tiles of floats are no tiles of bytes
-  auto checkpoint = std::make_unique<Checkpoint>(options.checkpoint, fingerprint.finish(), targets);
-  if (options.quiet) return checkpoint;
+  fingerprint.addNumber(kLayout);
+  auto checkpoint = std::make_unique<Checkpoint>(path, fingerprint.finish(), targets);
+  if (quiet) return checkpoint;
   if (checkpoint->wasDamaged()) {
-    complain("warning: " + options.checkpoint + ": damaged; what it lost is rendered again");
+    complain("warning: " + path + ": damaged; what it lost is rendered again");
   }
-  const int percent = int(100 * checkpoint->foundPart());
-  if (checkpoint->foundPart() > 0) {
-    complain(options.checkpoint + ": taken up with " + std::to_string(percent) + " % done");
+  const double found = checkpoint->foundShare();
+  if (found > 0) {
+    complain(path + ": taken up with " + std::to_string(int(100 * found)) + " % done");
   }
   return checkpoint;
 }

@@ -1,8 +1,13 @@
-// CheckpointFile.
+// CheckpointFile: written by appending whole records, read from the first to the last.
+//
+// Reading goes from record to record: the head of each says which tile it is and so how long it
+// must be; if its checksum is right it is handed over, and the next one begins behind it. Where
+// there is no whole record, the next mark "Tile" is looked for, byte by byte: bytes of pixels may
+// look like one, but have no right checksum. The end of the last whole record is the end of the
+// file from then on, so that a record torn by SIGKILL is overwritten by the next one.
 #include "cli/checkpoint_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,29 +18,28 @@
 
 #include "cli/options.h"
 #include "image/output_file.h"
+#include "render/tile_bytes.h"
 
 namespace {
 
 constexpr std::size_t kTitleSize = 32, kDigestSize = sizeof(Digest);
 constexpr std::size_t kHeaderSize = kTitleSize + 2 * kDigestSize;
-constexpr char kTitle[kTitleSize] = "raytracer checkpoint 1\n";
+constexpr char kTitle[kTitleSize] = "raytracer checkpoint 2\n";
 constexpr char kMark[4] = {'T', 'i', 'l', 'e'};
-constexpr std::size_t kHeadSize = sizeof kMark + 5 * 4;
+constexpr std::size_t kHeadSize = sizeof kMark + 2 * 4;
 /// So much damage in one place is looked through for whole records, no more.
-constexpr std::int64_t kMostDamage = std::int64_t(64) << 20;
+constexpr off_t kMostDamage = off_t(64) << 20;
 
-void appendNumber(unsigned number, Bytes& bytes) {
-  for (int i = 0; i < 4; ++i) bytes.push_back(std::uint8_t(number >> (8 * i) & 255));
+CheckpointFile::Tile tileOf(const std::uint8_t* record) {
+  return {numberAt(record + sizeof kMark), numberAt(record + sizeof kMark + 4)};
 }
 
-unsigned numberAt(const std::uint8_t* bytes) {
-  return unsigned(bytes[0]) | unsigned(bytes[1]) << 8 | unsigned(bytes[2]) << 16 |
-         unsigned(bytes[3]) << 24;
+void appendDigest(const Digest& digest, Bytes& bytes) {
+  bytes.insert(bytes.end(), digest.begin(), digest.end());
 }
 
-CheckpointFile::Tile tileAt(const std::uint8_t* head) {
-  const auto number = [&](int i) { return numberAt(head + sizeof kMark + 4 * i); };
-  return {{int(number(0)), int(number(1)), int(number(2)), int(number(3))}, number(4)};
+bool begins(const std::uint8_t* bytes, const Digest& digest) {
+  return std::equal(digest.begin(), digest.end(), bytes);
 }
 
 }  // namespace
@@ -44,89 +48,65 @@ CheckpointFile::CheckpointFile(const std::string& path, const Digest& fingerprin
     : path_(path), fingerprint_(fingerprint) {
   checkOutput(path);
   open();
-  try {
-    checkHeader();
-  } catch (...) {
-    close(descriptor_);
-    throw;
-  }
+  checkHeader();
 }
-
-CheckpointFile::~CheckpointFile() { close(descriptor_); }
 
 void CheckpointFile::fail(int error) const { throw OutputError(path_, std::strerror(error)); }
 
 /// Another run may remove the file between our opening and locking it: then once more.
 void CheckpointFile::open() {
-  for (;;) {
-    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY | O_NONBLOCK, 0666);
-    if (descriptor_ < 0) fail(errno);
-    struct stat status = {};
-    const bool isFile = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-    const bool locked = isFile && lock();
-    const bool isThere = locked && fstat(descriptor_, &status) == 0 && status.st_nlink > 0;
-    if (isThere) return;
-    close(descriptor_);
-    if (!isFile) throw UsageError("-checkpoint: expected a plain file, found '" + path_ + "'");
-    if (!locked) throw OutputError(path_, "another run keeps its checkpoint there");
-  }
-}
-
-/// False where another run has the lock. A file system without locks is taken as it is.
-bool CheckpointFile::lock() {
-  while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EWOULDBLOCK) return false;
-    if (errno != EINTR) return true;
-  }
-  return true;
-}
-
-std::size_t CheckpointFile::readAt(Offset offset, std::uint8_t* bytes, std::size_t size) const {
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t count = pread(descriptor_, bytes + done, size - done, offset + Offset(done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(errno);
-    if (count == 0) break;
-    done += std::size_t(count);
-  }
-  return done;
-}
-
-/// Title and fingerprint each suffice to know the file by, in case the other one is damaged.
-void CheckpointFile::checkHeader() {
+  struct stat status = {};
+  do {
+    file_ = std::make_unique<OpenFile>(path_, O_RDWR | O_CREAT | O_NOCTTY | O_NONBLOCK);
+    if (!file_->isOpen()) fail(errno);
+    if (file_->regularSize() < 0) {
+      throw UsageError("-checkpoint: expected a plain file, found '" + path_ + "'");
+    }
+    if (!file_->lock(false)) throw OutputError(path_, "another run keeps its checkpoint there");
+  } while (fstat(file_->descriptor(), &status) != 0 || status.st_nlink == 0);
   std::error_code error;
   place_ = std::filesystem::canonical(path_, error).string();
   if (error) fail(error.value());
-  std::uint8_t header[kHeaderSize] = {};
-  const std::size_t size = readAt(0, header, sizeof header);
-  const std::uint8_t* const fingerprint = header + kTitleSize;
-  const bool titled = std::memcmp(header, kTitle, std::min(size, kTitleSize)) == 0;
-  const bool isOurs = std::equal(fingerprint_.begin(), fingerprint_.end(), fingerprint);
+}
+
+std::size_t CheckpointFile::readAt(off_t offset, std::uint8_t* target, std::size_t size) const {
+  const ssize_t count = file_->readAt(offset, target, size);
+  if (count < 0) fail(errno);
+  return std::size_t(count);
+}
+
+Bytes CheckpointFile::header() const {
+  Bytes bytes(kTitle, kTitle + kTitleSize);
+  appendDigest(fingerprint_, bytes);
+  appendDigest(sha256(bytes.data(), bytes.size()), bytes);
+  return bytes;
+}
+
+/// Title and fingerprint each suffice to know the file by, in case the other one is damaged. A new
+/// header is on the disk before anything else, so that a power failure leaves a file that is known.
+void CheckpointFile::checkHeader() {
+  Bytes found(kHeaderSize);
+  const std::size_t size = readAt(0, found.data(), kHeaderSize);
+  const std::uint8_t* const fingerprint = found.data() + kTitleSize;
+  const bool titled = std::memcmp(found.data(), kTitle, std::min(size, kTitleSize)) == 0;
+  const bool isOurs = begins(fingerprint, fingerprint_);
   if (!titled && !isOurs) {
     throw UsageError("-checkpoint: expected a file that this program has made, found '" + path_ +
                      "', which is something else");
   }
-  const Digest sum = sha256(header, kTitleSize + kDigestSize);
-  const bool isRight = std::equal(sum.begin(), sum.end(), fingerprint + kDigestSize);
-  if (isRight && !isOurs) {
+  const Digest sum = sha256(found.data(), kTitleSize + kDigestSize);
+  const bool isWhole = begins(fingerprint + kDigestSize, sum);
+  if (isWhole && !isOurs) {
     throw UsageError("-checkpoint: '" + path_ +
                      "' was made from another scene, other meshes or other arguments; expected "
                      "the command that made it, or no such file");
   }
-  damaged_ = size == kHeaderSize && !isRight;
-  if (!isRight || !titled) writeHeader();
-  end_ = Offset(kHeaderSize);
-}
-
-/// On the disk before anything else, so that a power failure leaves a file that is known.
-void CheckpointFile::writeHeader() {
-  Bytes header(kTitle, kTitle + kTitleSize);
-  header.insert(header.end(), fingerprint_.begin(), fingerprint_.end());
-  const Digest sum = sha256(header.data(), header.size());
-  header.insert(header.end(), sum.begin(), sum.end());
-  append(header);
-  if (fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+  end_ = off_t(kHeaderSize);
+  if (isWhole) return;
+  damaged_ = size == kHeaderSize;
+  end_ = 0;
+  appendBytes(header());
+  if (fsync(file_->descriptor()) != 0 && errno != EINVAL) fail(errno);
 }
 
 Digest CheckpointFile::checksumOf(const std::uint8_t* record, std::size_t size) const {
@@ -136,37 +116,24 @@ Digest CheckpointFile::checksumOf(const std::uint8_t* record, std::size_t size) 
   return hash.finish();
 }
 
-Bytes CheckpointFile::beginRecord(const Tile& tile) {
-  Bytes record(kMark, kMark + sizeof kMark);
-  for (const int side : {tile.area.left, tile.area.bottom, tile.area.right, tile.area.top}) {
-    appendNumber(unsigned(side), record);
-  }
-  appendNumber(tile.pictures, record);
-  return record;
-}
-
-void CheckpointFile::endRecord(Bytes& record) const {
-  const Digest sum = checksumOf(record.data(), record.size());
-  record.insert(record.end(), sum.begin(), sum.end());
-}
-
-/// The size of the whole record that begins `at`; 0 where there is none.
-std::size_t CheckpointFile::readRecord(Offset at, const SizeOf& sizeOf, Bytes& record) {
-  std::uint8_t head[kHeadSize];
+/// True where a whole record begins `at`. In either case `record` has as many bytes as were read
+/// for the checksum.
+bool CheckpointFile::readRecord(off_t at, const SizeOf& sizeOf, Bytes& record) const {
   record.clear();
-  if (readAt(at, head, kHeadSize) < kHeadSize) return 0;
-  if (std::memcmp(head, kMark, sizeof kMark) != 0) return 0;
-  const std::size_t pixels = sizeOf(tileAt(head));
-  if (pixels == 0) return 0;
+  std::uint8_t head[kHeadSize];
+  if (readAt(at, head, kHeadSize) < kHeadSize) return false;
+  if (std::memcmp(head, kMark, sizeof kMark) != 0) return false;
+  const std::size_t pixels = sizeOf(tileOf(head));
+  if (pixels == 0) return false;
   const std::size_t size = kHeadSize + pixels;
   record.resize(size + kDigestSize);
-  if (readAt(at, record.data(), record.size()) < record.size()) return 0;
-  const Digest sum = checksumOf(record.data(), size);
-  return std::equal(sum.begin(), sum.end(), record.data() + size) ? record.size() : 0;
+  if (readAt(at, record.data(), record.size()) < record.size()) return false;
+  return begins(record.data() + size, checksumOf(record.data(), size));
 }
 
-/// Where a record may begin in [from, to); -1 where none does.
-CheckpointFile::Offset CheckpointFile::findRecord(Offset from, Offset to) const {
+/// Where a record may begin in [from, to); -1 where none does. The file is read in pieces that
+/// overlap by so much that no mark is cut.
+off_t CheckpointFile::findMark(off_t from, off_t to) const {
   Bytes piece(65536);
   while (from < to) {
     const std::size_t size = readAt(from, piece.data(), piece.size());
@@ -174,39 +141,47 @@ CheckpointFile::Offset CheckpointFile::findRecord(Offset from, Offset to) const 
     const auto end = piece.begin() + std::ptrdiff_t(size);
     const auto found = std::search(piece.begin(), end, std::begin(kMark), std::end(kMark));
     if (found != end) return from + (found - piece.begin());
-    from += Offset(size - sizeof kMark + 1);
+    from += off_t(size - sizeof kMark + 1);
   }
   return -1;
 }
 
 void CheckpointFile::readTiles(const SizeOf& sizeOf, const Receiver& receive) {
   Bytes record;
-  Offset at = end_;
-  std::int64_t inVain = 0;  // bytes of what looked like records
+  off_t at = end_, inVain = 0;  // bytes of what looked like records
   while (at >= 0 && inVain < kMostDamage) {
-    if (const std::size_t size = readRecord(at, sizeOf, record)) {
-      receive(tileAt(record.data()), record.data() + kHeadSize);
-      damaged_ = damaged_ || at > end_;
-      at += Offset(size);
-      end_ = at;
+    if (!readRecord(at, sizeOf, record)) {
+      inVain += off_t(record.size());
+      at = findMark(at + 1, end_ + kMostDamage);
       continue;
     }
-    inVain += std::int64_t(record.size());
-    at = findRecord(at + 1, end_ + kMostDamage);
+    receive(tileOf(record.data()), record.data() + kHeadSize);
+    damaged_ = damaged_ || at > end_;
+    at += off_t(record.size());
+    end_ = at;
   }
-  if (ftruncate(descriptor_, end_) != 0) fail(errno);
+  if (ftruncate(file_->descriptor(), end_) != 0) fail(errno);
 }
 
-void CheckpointFile::append(const Bytes& records) {
+void CheckpointFile::append(const Tile& tile, const Bytes& pixels) {
+  Bytes record(kMark, kMark + sizeof kMark);
+  appendNumber(tile.number, record);
+  appendNumber(tile.pictures, record);
+  record.insert(record.end(), pixels.begin(), pixels.end());
+  appendDigest(checksumOf(record.data(), record.size()), record);
+  appendBytes(record);
+}
+
+void CheckpointFile::appendBytes(const Bytes& bytes) {
   std::size_t done = 0;
-  while (done < records.size()) {
+  while (done < bytes.size()) {
     const ssize_t count =
-        pwrite(descriptor_, records.data() + done, records.size() - done, end_ + Offset(done));
+        pwrite(file_->descriptor(), bytes.data() + done, bytes.size() - done, end_ + off_t(done));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) fail(count < 0 ? errno : EIO);
     done += std::size_t(count);
   }
-  end_ += Offset(done);
+  end_ += off_t(done);
 }
 
 void CheckpointFile::remove() {

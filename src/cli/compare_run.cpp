@@ -16,7 +16,7 @@
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "scene/whole_file.h"
-#include "system/folder_lock.h"
+#include "system/open_file.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -164,8 +164,12 @@ bool beginsWith(const std::string& text, const std::string& start) {
 
 /// Adds the rows to what is in the file, which begins with the heading unless it is new or empty.
 void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path) {
-  const FolderLock lock(path);  // two runs at once would each lose the other's rows
+  // Two runs at once would each lose the other's rows. Of a file that is read, added to and
+  // replaced, the lock can only be its folder: a lock on the file itself would go with the old one.
   std::error_code ignored;
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+  const OpenFile folder(place.parent_path().string());
+  folder.lock(true);
   std::string text, reason;
   if (fs::is_regular_file(path, ignored) && !readWholeFile(path, text, reason)) {
     throw OutputError(path, "what it holds cannot be read: " + reason);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/checkpoint.h"
+#include "cli/fingerprint.h"
 #include "cli/inspection.h"
 #include "cli/messages.h"
 #include "cli/out_of_memory.h"
@@ -119,10 +120,11 @@ Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const O
   if (targets.materials) targets.materialColors = &materialColors.emplace(scene);
   Rendered rendered;
   const bool isTraced = wantsRays(targets);
-  if (isTraced) {
-    rendered.checkpoint =
-        openCheckpoint(options, notes.digest, scene.getMeshFiles(), threadCount(options), targets);
-    targets.keeper = rendered.checkpoint.get();
+  if (isTraced && !options.checkpoint.empty()) {
+    const Digest picture =
+        pictureFingerprint(options, notes.digest, scene.getMeshFiles(), threadCount(options));
+    rendered.checkpoint = openCheckpoint(options.checkpoint, picture, targets, options.quiet);
+    targets.store = rendered.checkpoint.get();
   }
   RunDisplay display(options, targets);
   if (display.isWanted()) targets.listener = &display;

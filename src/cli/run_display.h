@@ -9,7 +9,7 @@
 #include "cli/stats.h"
 #include "cli/terminal_picture.h"
 #include "render/renderer.h"
-#include "render/tile_listener.h"
+#include "render/tile_hooks.h"
 
 class RunDisplay : public TileListener {
  public:

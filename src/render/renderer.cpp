@@ -174,9 +174,9 @@ void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderO
     const auto renderer = makeRenderer(tracer);
     for (int tile; (tile = next++) < tiles;) {
       const PixelRectangle area = renderer.areaOf(tile);
-      if (!targets.keeper || !targets.keeper->isFinished(targets, area)) {
+      if (!targets.store || !targets.store->isFinished(targets, area)) {
         renderer.renderTile(tile);
-        if (targets.keeper) targets.keeper->finish(targets, area);
+        if (targets.store) targets.store->finish(targets, area);
       }
       if (!targets.listener) continue;
       targets.listener->tileIsDone(area, raysOf(targets, options) * double(area.pixelCount()));

@@ -1,115 +1,130 @@
-// The pixels of a tile as bytes.
+// The pixels of a tile as bytes. A table names the kinds of pictures in the order of their bits, so
+// that every function goes through them in that one order.
 #include "render/tile_bytes.h"
 
-#include <array>
+#include <cassert>
 #include <cstring>
 
 namespace {
 
-/// One of the two is null, or both where the picture is not wanted.
-struct Picture {
-  Image* image;
-  FloatImage* exact;
-  int zoom;
+/// Where RenderTargets has a picture: bytes or exact floats, the other one being null.
+struct Kind {
+  Image* RenderTargets::*image;
+  FloatImage* RenderTargets::*exact;
 
-  bool isWanted() const { return image || exact; }
+  bool isIn(const RenderTargets& targets) const {
+    return image ? targets.*image != nullptr : targets.*exact != nullptr;
+  }
+  int zoomIn(const RenderTargets& targets) const {
+    return image == &RenderTargets::samples ? targets.samplesZoom : 1;
+  }
   std::size_t bytesOfPixel() const { return image ? 3 : 12; }
 };
 
-/// All kinds, in the order of their bits.
-std::array<Picture, kPictureKinds> picturesOf(const RenderTargets& targets) {
-  return {{{targets.color, nullptr, 1},
-           {targets.depth, nullptr, 1},
-           {targets.normals, nullptr, 1},
-           {targets.samples, nullptr, targets.samplesZoom},
-           {nullptr, targets.color ? targets.exactColor : nullptr, 1},
-           {nullptr, targets.depth ? targets.exactDepth : nullptr, 1},
-           {nullptr, targets.normals ? targets.exactNormals : nullptr, 1},
-           {targets.materials, nullptr, 1}}};
+constexpr Kind kKinds[kPictureKinds] = {
+    {&RenderTargets::color, nullptr},        {&RenderTargets::depth, nullptr},
+    {&RenderTargets::normals, nullptr},      {&RenderTargets::samples, nullptr},
+    {nullptr, &RenderTargets::exactColor},   {nullptr, &RenderTargets::exactDepth},
+    {nullptr, &RenderTargets::exactNormals}, {&RenderTargets::materials, nullptr}};
+
+/// Calls visit(kind, x, y) for all pixels of `area` in all pictures, in their order.
+template <class Visit>
+void forEachPixel(const RenderTargets& targets, const PixelRectangle& area, const Visit& visit) {
+  for (const Kind& kind : kKinds) {
+    if (!kind.isIn(targets)) continue;
+    const int zoom = kind.zoomIn(targets);
+    for (int y = area.bottom * zoom; y < area.top * zoom; ++y) {
+      for (int x = area.left * zoom; x < area.right * zoom; ++x) visit(kind, x, y);
+    }
+  }
 }
 
 void appendFloat(float value, Bytes& bytes) {
   std::uint32_t bits = 0;
   static_assert(sizeof bits == sizeof value);
   std::memcpy(&bits, &value, sizeof bits);
-  for (int i = 0; i < 4; ++i) bytes.push_back(std::uint8_t(bits >> (8 * i) & 255));
+  appendNumber(bits, bytes);
 }
 
 float floatAt(const std::uint8_t* bytes) {
-  std::uint32_t bits = 0;
-  for (int i = 0; i < 4; ++i) bits |= std::uint32_t(bytes[i]) << (8 * i);
+  const std::uint32_t bits = numberAt(bytes);
   float value = 0;
   std::memcpy(&value, &bits, sizeof bits);
   return value;
 }
 
-/// Calls visit(picture, x, y) for all pixels of `area` in their order.
-template <class Visit>
-void forEachPixel(const RenderTargets& targets, const PixelRectangle& area, const Visit& visit) {
-  for (const Picture& picture : picturesOf(targets)) {
-    if (!picture.isWanted()) continue;
-    for (int y = area.bottom * picture.zoom; y < area.top * picture.zoom; ++y) {
-      for (int x = area.left * picture.zoom; x < area.right * picture.zoom; ++x) {
-        visit(picture, x, y);
-      }
-    }
-  }
-}
-
 }  // namespace
 
-unsigned pictureBits(const RenderTargets& targets) {
-  unsigned bits = 0, bit = 1;
-  for (const Picture& picture : picturesOf(targets)) {
-    if (picture.isWanted()) bits |= bit;
-    bit *= 2;
-  }
+std::uint32_t pictureBits(const RenderTargets& targets) {
+  std::uint32_t bits = 0;
+  for (int i = 0; i < kPictureKinds; ++i) bits |= std::uint32_t(kKinds[i].isIn(targets)) << i;
   return bits;
 }
 
-RenderTargets withPictures(const RenderTargets& targets, unsigned bits) {
+RenderTargets withPictures(const RenderTargets& targets, std::uint32_t bits) {
   RenderTargets some = targets;
-  if (!(bits & 1)) some.color = nullptr;
-  if (!(bits & 2)) some.depth = nullptr;
-  if (!(bits & 4)) some.normals = nullptr;
-  if (!(bits & 8)) some.samples = nullptr;
-  if (!(bits & 16)) some.exactColor = nullptr;
-  if (!(bits & 32)) some.exactDepth = nullptr;
-  if (!(bits & 64)) some.exactNormals = nullptr;
-  if (!(bits & 128)) some.materials = nullptr;
+  for (int i = 0; i < kPictureKinds; ++i) {
+    if ((bits >> i & 1) != 0) continue;
+    if (kKinds[i].image) some.*kKinds[i].image = nullptr;
+    if (kKinds[i].exact) some.*kKinds[i].exact = nullptr;
+  }
   return some;
+}
+
+PixelRectangle wholeArea(const RenderTargets& targets) {
+  for (const Kind& kind : kKinds) {
+    if (!kind.image || !kind.isIn(targets)) continue;
+    const Image& image = *(targets.*kind.image);
+    const int zoom = kind.zoomIn(targets);
+    return {0, 0, image.Width() / zoom, image.Height() / zoom};
+  }
+  assert(false);
+  return {0, 0, 0, 0};
 }
 
 std::size_t tileByteCount(const RenderTargets& targets, const PixelRectangle& area) {
   std::size_t bytes = 0;
-  for (const Picture& picture : picturesOf(targets)) {
-    const auto zoom = std::size_t(picture.zoom);
-    if (picture.isWanted()) bytes += area.pixelCount() * zoom * zoom * picture.bytesOfPixel();
+  for (const Kind& kind : kKinds) {
+    const auto zoom = std::size_t(kind.zoomIn(targets));
+    if (kind.isIn(targets)) bytes += area.pixelCount() * zoom * zoom * kind.bytesOfPixel();
   }
   return bytes;
 }
 
-void appendTileBytes(const RenderTargets& targets, const PixelRectangle& area, Bytes& bytes) {
-  bytes.reserve(bytes.size() + tileByteCount(targets, area));
-  forEachPixel(targets, area, [&](const Picture& picture, int x, int y) {
-    if (picture.image) {
-      const Rgb8 pixel = picture.image->getPixel(x, y);
+Bytes tileBytes(const RenderTargets& targets, const PixelRectangle& area) {
+  Bytes bytes;
+  bytes.reserve(tileByteCount(targets, area));
+  forEachPixel(targets, area, [&](const Kind& kind, int x, int y) {
+    if (kind.image) {
+      const Rgb8 pixel = (targets.*kind.image)->getPixel(x, y);
       bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
     } else {
-      const Vec3f& color = picture.exact->getPixel(x, y);
+      const Vec3f& color = (targets.*kind.exact)->getPixel(x, y);
       for (const float value : {color.x(), color.y(), color.z()}) appendFloat(value, bytes);
     }
   });
+  return bytes;
 }
 
 void setTileBytes(const RenderTargets& targets, const PixelRectangle& area,
                   const std::uint8_t* bytes) {
-  forEachPixel(targets, area, [&](const Picture& picture, int x, int y) {
-    if (picture.image) {
-      picture.image->setPixel(x, y, Rgb8{bytes[0], bytes[1], bytes[2]});
+  forEachPixel(targets, area, [&](const Kind& kind, int x, int y) {
+    if (kind.image) {
+      (targets.*kind.image)->setPixel(x, y, Rgb8{bytes[0], bytes[1], bytes[2]});
     } else {
-      picture.exact->setPixel(x, y, {floatAt(bytes), floatAt(bytes + 4), floatAt(bytes + 8)});
+      const Vec3f color(floatAt(bytes), floatAt(bytes + 4), floatAt(bytes + 8));
+      (targets.*kind.exact)->setPixel(x, y, color);
     }
-    bytes += picture.bytesOfPixel();
+    bytes += kind.bytesOfPixel();
   });
+}
+
+void appendNumber(std::uint32_t number, Bytes& bytes) {
+  for (int i = 0; i < 4; ++i) bytes.push_back(std::uint8_t(number >> (8 * i) & 255));
+}
+
+std::uint32_t numberAt(const std::uint8_t* bytes) {
+  std::uint32_t number = 0;
+  for (int i = 0; i < 4; ++i) number |= std::uint32_t(bytes[i]) << (8 * i);
+  return number;
 }

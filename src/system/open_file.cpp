@@ -1,7 +1,8 @@
-// Opening, reading and closing files on POSIX.
+// Opening, reading, locking and closing files on POSIX.
 #include "system/open_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,8 +10,8 @@
 
 static_assert(sizeof(off_t) == 8, "files beyond 2 GB need _FILE_OFFSET_BITS=64");
 
-OpenFile::OpenFile(const std::string& filename)
-    : descriptor_(open(filename.c_str(), O_RDONLY | O_CLOEXEC)) {}
+OpenFile::OpenFile(const std::string& filename, int flags)
+    : descriptor_(open(filename.c_str(), flags | O_CLOEXEC, 0666)) {}
 
 OpenFile::~OpenFile() {
   if (isOpen()) close(descriptor_);
@@ -20,6 +21,27 @@ off_t OpenFile::regularSize() const {
   struct stat status;
   if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return -1;
   return status.st_size;
+}
+
+ssize_t OpenFile::readAt(off_t offset, void* target, std::size_t size) const {
+  std::size_t done = 0;
+  while (done < size) {
+    char* const next = static_cast<char*>(target) + done;
+    const ssize_t count = pread(descriptor_, next, size - done, offset + off_t(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return -1;
+    if (count == 0) break;
+    done += std::size_t(count);
+  }
+  return ssize_t(done);
+}
+
+bool OpenFile::lock(bool waits) const {
+  while (flock(descriptor_, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0) {
+    if (errno == EWOULDBLOCK) return false;
+    if (errno != EINTR) return true;
+  }
+  return true;
 }
 
 ssize_t readSome(int descriptor, char* target, std::size_t room) {

@@ -1,4 +1,4 @@
-// OpenFile: a file opened for reading, closed at the end of its life.
+// OpenFile: a file or folder that is open, and closed at the end of its life.
 #pragma once
 #include <sys/types.h>
 
@@ -7,8 +7,9 @@
 
 class OpenFile {
  public:
-  /// Waits for the writer of a FIFO. Where the file cannot be opened, errno says why.
-  explicit OpenFile(const std::string& filename);
+  /// For reading, or as `flags` of open(2) say. Waits for the writer of a FIFO. Where the file
+  /// cannot be opened, errno says why.
+  explicit OpenFile(const std::string& filename, int flags = 0);
   ~OpenFile();
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
@@ -17,6 +18,15 @@ class OpenFile {
   int descriptor() const { return descriptor_; }
   /// The size of a regular file; -1 for anything else.
   off_t regularSize() const;
+
+  /// Reads up to `size` bytes from `offset` on, again where a signal interrupts; fewer only at the
+  /// end of the file. < 0 on failure, and errno then says why.
+  ssize_t readAt(off_t offset, void* target, std::size_t size) const;
+
+  /// Keeps other processes from locking the same file until this one is closed, however its process
+  /// ends. False where another one has it and `waits` is false. A file system without locks, or
+  /// what is not open, is taken as it is.
+  bool lock(bool waits) const;
 
  private:
   int descriptor_;

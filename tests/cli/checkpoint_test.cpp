@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "check.h"
+#include "cli/options.h"
 #include "image/output_file.h"
 #include "random.h"
 #include "render/image_plane.h"
@@ -13,8 +14,8 @@ namespace {
 
 using check::contentOf;
 
-constexpr int kWidth = 40, kHeight = 25, kZoom = 2;  // 3 x 2 blocks of 16 pixels
-constexpr std::size_t kHeader = 96, kHead = 24, kSum = 32;
+constexpr int kWidth = 40, kHeight = 25, kZoom = 2;  // 3 x 2 tiles of 16 pixels
+constexpr std::size_t kHeader = 96, kHead = 12, kSum = 32;
 
 Digest fingerprint(std::uint8_t value) {
   Digest digest;
@@ -129,7 +130,7 @@ TEST("tiles of all pictures come back, those of one pass without the other's") {
   const std::vector<PixelRectangle> all = tiles();
   {
     Checkpoint checkpoint(folder.file("c"), fingerprint(1), painted.targets());
-    CHECK_EQUAL(checkpoint.foundPart(), 0.0);
+    CHECK_EQUAL(checkpoint.foundShare(), 0.0);
     checkpoint.finish(painted.ofSamples(), all[0]);
     checkpoint.finish(painted.ofSamples(), {16, 0, 40, 25});  // four tiles at once
     checkpoint.finish(painted.ofCenters(), all[3]);
@@ -137,8 +138,8 @@ TEST("tiles of all pictures come back, those of one pass without the other's") {
   }
   const Checkpoint checkpoint(folder.file("c"), fingerprint(1), pictures.targets());
   CHECK(!checkpoint.wasDamaged());
-  // Of 4 pictures of 6 blocks: 5 blocks of two pictures and 1 of two.
-  CHECK_NEAR(checkpoint.foundPart(), 12 / 24.0, 1e-12);
+  // Of 4 pictures of 6 tiles: 5 tiles of two pictures and 1 of two.
+  CHECK_NEAR(checkpoint.foundShare(), 12 / 24.0, 1e-12);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Found samples = i == 3 ? Found::missing : Found::whole;
     const Found centers = i == 3 ? Found::whole : Found::missing;
@@ -214,21 +215,16 @@ TEST("bytes put in, taken out, or doubled do no harm to other tiles") {
   }
 }
 
-TEST("records that lie are passed over: tiles outside, of no area, of no picture") {
+TEST("records that lie are passed over: tiles outside, of no picture, of one that is not wanted") {
   Kept kept;
-  const CheckpointFile::Tile lies[] = {
-      {{0, 0, 48, 16}, 1},  {{-16, 0, 16, 16}, 1}, {{0, 0, 0, 16}, 1},
-      {{8, 0, 16, 16}, 1},  {{0, 0, 16, 24}, 1},   {{0, 0, 16, 16}, 0},
-      {{0, 0, 16, 16}, 16}, {{16, 0, 0, 16}, 1},   {{0, 0, 1 << 30, 1 << 30}, 1}};
+  const CheckpointFile::Tile lies[] = {{6, 1},  {7, 1},  {1u << 30, 1}, {0xffffffff, 1}, {0, 0},
+                                       {0, 16}, {0, 17}, {0, 128},      {0, 1u << 31}};
   for (const CheckpointFile::Tile& lie : lies) {
     const std::string name = kept.write("lies", kept.bytes);
     {
       CheckpointFile file(name, fingerprint(1));
       file.readTiles([](const CheckpointFile::Tile&) { return 0; }, nullptr);  // none is whole
-      Bytes record = CheckpointFile::beginRecord(lie);
-      record.resize(record.size() + 3 * 256);
-      file.endRecord(record);
-      file.append(record);
+      file.append(lie, Bytes(3 * 256));
       CHECK_EQUAL(contentOf(name).size(), kHeader + kHead + 3 * 256 + kSum);
     }
     CHECK_EQUAL(countWhole(kept, name), 0);
@@ -251,6 +247,10 @@ TEST("a checkpoint of another picture, or what is none, is refused and stays as 
   CHECK(!refused(kept.name, 1));
   CHECK(refused(kept.write("scene.txt", check::smallScene()), 1));
   CHECK(refused(kept.write("zeros", std::string(5000, '\0')), 1));
+  std::string older = kept.bytes;
+  older[older.find('2')] = '1';  // in the title; its fingerprint was another one too
+  older[40] = char(older[40] ^ 1);
+  CHECK(refused(kept.write("older", older), 1));
   CHECK(refused("/dev/null", 1));
   CHECK_THROWS(Checkpoint(kept.path(), fingerprint(1), pictures.targets()), OutputError);
   CHECK_THROWS(Checkpoint(kept.file("no/c"), fingerprint(1), pictures.targets()), OutputError);
@@ -265,5 +265,5 @@ TEST("one run has the file alone, from its opening to its removal") {
   first.remove();
   CHECK(!std::filesystem::exists(kept.name));
   Checkpoint next(kept.name, fingerprint(3), pictures.targets());
-  CHECK_EQUAL(next.foundPart(), 0.0);
+  CHECK_EQUAL(next.foundShare(), 0.0);
 }

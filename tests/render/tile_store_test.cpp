@@ -1,11 +1,10 @@
-// TileKeeper: the renderer asks before each tile and tells after it.
-#include "render/tile_keeper.h"
+// TileStore: the renderer asks before each tile and tells after it.
+#include "render/tile_hooks.h"
 
 #include <mutex>
 
 #include "check.h"
 #include "render/image_plane.h"
-#include "render/tile_bytes.h"
 #include "sampling.h"
 
 namespace {
@@ -14,7 +13,7 @@ constexpr int kWidth = 70, kHeight = 50;
 
 /// Says that the tiles whose lower left corner is left of `border` are finished, and counts how
 /// often each pixel is told of, in the colour picture and in that of the depth.
-class Counter : public TileKeeper {
+class Counter : public TileStore {
  public:
   explicit Counter(int border) : border_(border) {}
 
@@ -49,13 +48,13 @@ class Counter : public TileKeeper {
 struct Pictures {
   Image color{kWidth, kHeight}, depth{kWidth, kHeight};
 
-  void render(const RenderOptions& options, int threads, TileKeeper* keeper) {
+  void render(const RenderOptions& options, int threads, TileStore* store) {
     const SceneParser scene = sampling::variedScene();
     RenderTargets targets;
     targets.color = &color;
     targets.depth = &depth;
     targets.depthMax = 9;
-    targets.keeper = keeper;
+    targets.store = store;
     ::render(scene, *scene.getGroup(), options, threads, targets);
   }
 };
