@@ -5,6 +5,7 @@
 #include <string>
 
 #include "accel/test_tally.h"
+#include "geometry/batch_geometry.h"
 #include "geometry/object3d.h"
 
 /// Which instruction set the kernels use.
@@ -15,7 +16,7 @@ SimdLevel availableSimd(SimdLevel wanted);
 /// "baseline", "avx2" or "avx512" (for `automatic`, "auto").
 const char* nameOf(SimdLevel level);
 
-class CompiledScene : public Object3D {
+class CompiledScene : public Object3D, public BatchGeometry {
  public:
   /// Compiles everything below `root` with `threads` >= 1 threads. `root` and what it holds are
   /// not owned, must outlive the compiled scene and must not change any more.

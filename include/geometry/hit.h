@@ -10,54 +10,57 @@
 
 class Material;
 
+/// Which primitive was hit, and how far its numbers can be trusted.
+struct Primitive {
+  const Object3D* object = nullptr;  ///< the sphere, plane, triangle or mesh; not owned
+  std::uint32_t face = 0;            ///< which triangle of a mesh; 0 for all else
+  double magnitude = 0;              ///< as magnitudeOf gives it
+};
+
+/// The largest number that took part in finding `point` = ray.pointAtParameter(t), counted in
+/// units of t: rounding errors are proportional to it. `extent` is the largest number that
+/// describes the primitive (a coordinate, a radius, an offset), in the space of `ray`.
+inline double magnitudeOf(double t, const Vec3d& point, const Ray& ray, double extent) {
+  const double largest = std::max({extent, maxAbs(ray.getOrigin()), maxAbs(point)});
+  return std::max(std::fabs(t), largest / length(ray.getDirection()));
+}
+
 class Hit {
  public:
   /// Nothing found yet, and everything is near enough.
   Hit() {}  // were it defaulted, Hit() would first clear all bytes, slowly
-  /// Nothing found yet; only surfaces with t < tmax count.
+  /// Nothing found yet; only surfaces with t < tmax count. tmax may be infinite.
   explicit Hit(double tmax) : t_(tmax) {}
+  /// A hit at parameter t, of no known primitive and at no known point: enough for
+  /// Material::Shade of materials that are the same everywhere.
   Hit(double t, const Material* material, const Vec3d& normal)
       : t_(t), material_(material), normal_(normal) {}
 
+  /// The ray's parameter, the same in every space; the bound of the search until something is hit.
   double getT() const { return t_; }
   /// Null until something is hit. Not owned.
   const Material* getMaterial() const { return material_; }
-  /// The unit normal, in world space once intersect() has returned to the top; its side is the
-  /// surface's own, whichever side the ray came from.
+  /// The unit normal, in the space of the ray that was asked: the world's once intersect() has
+  /// returned to the top. Its side is the surface's own, whichever side the ray came from.
   const Vec3d& getNormal() const { return normal_; }
+  /// The ray's point at getT(), in the same space; (0, 0, 0) until something is hit.
   const Vec3d& getIntersectionPoint() const { return point_; }
-  /// The primitive that was hit, and which triangle of it where it is a mesh. Not owned.
-  const Object3D* getObject() const { return object_; }
-  std::uint32_t getPart() const { return part_; }
-  /// The largest number that took part in finding the point, counted in units of t: rounding
-  /// errors are proportional to it.
-  double getMagnitude() const { return magnitude_; }
+  /// The primitive that was hit, null until then. Not owned.
+  const Object3D* getObject() const { return primitive_.object; }
+  /// Which triangle of it, where it is a mesh; else 0.
+  std::uint32_t getFace() const { return primitive_.face; }
+  /// See magnitudeOf.
+  double getMagnitude() const { return primitive_.magnitude; }
 
-  /// Records a surface of `material` with unit normal `normal` at parameter t of `ray`.
-  void set(double t, const Material* material, const Vec3d& normal, const Ray& ray) {
-    t_ = t;
-    material_ = material;
-    normal_ = normal;
-    point_ = ray.pointAtParameter(t);
-  }
-  /// Says which primitive it is, after set(). `extent` is the largest number that describes the
-  /// primitive (a coordinate, a radius, an offset), in the space of `ray`.
-  void setPrimitive(const Object3D* object, std::uint32_t part, const Ray& ray, double extent) {
-    object_ = object;
-    part_ = part;
-    const double largest = std::max({extent, maxAbs(ray.getOrigin()), maxAbs(point_)});
-    magnitude_ = std::max(std::fabs(t_), largest / length(ray.getDirection()));
-  }
-  /// Records a hit that has been computed elsewhere, exactly as set and setPrimitive would.
-  void restore(double t, const Material* material, const Vec3d& normal, const Vec3d& point,
-               const Object3D* object, std::uint32_t part, double magnitude) {
+  /// Becomes the hit of a surface of `material`, with unit normal `normal`, at `point`, which is
+  /// the ray's at parameter t.
+  void record(double t, const Material* material, const Vec3d& normal, const Vec3d& point,
+              const Primitive& primitive) {
     t_ = t;
     material_ = material;
     normal_ = normal;
     point_ = point;
-    object_ = object;
-    part_ = part;
-    magnitude_ = magnitude;
+    primitive_ = primitive;
   }
   /// The same hit of a surface of another material.
   Hit withMaterial(const Material* material) const {
@@ -65,10 +68,11 @@ class Hit {
     hit.material_ = material;
     return hit;
   }
-  /// Restates the hit in the space of `ray`, where its unit normal is `normal`.
-  void moveTo(const Ray& ray, const Vec3d& normal, double magnitude) {
-    set(t_, material_, normal, ray);
-    if (magnitude > magnitude_) magnitude_ = magnitude;
+  /// The same hit of a surface that is turned around.
+  Hit withNormal(const Vec3d& normal) const {
+    Hit hit = *this;
+    hit.normal_ = normal;
+    return hit;
   }
 
  private:
@@ -76,7 +80,5 @@ class Hit {
   const Material* material_ = nullptr;
   Vec3d normal_;
   Vec3d point_;
-  const Object3D* object_ = nullptr;
-  std::uint32_t part_ = 0;
-  double magnitude_ = 0;
+  Primitive primitive_;
 };

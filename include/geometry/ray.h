@@ -19,23 +19,24 @@ class Ray {
     origin_ = origin;
     direction_ = direction;
     source_ = nullptr;
-    sourcePart_ = 0;
+    sourceFace_ = 0;
   }
   const Vec3d& getOrigin() const { return origin_; }
   const Vec3d& getDirection() const { return direction_; }
   Vec3d pointAtParameter(double t) const { return origin_ + direction_ * t; }
 
-  /// Says that the ray starts on part `part` of `surface`. A flat part is then never hit by this
-  /// ray, and a sphere only where the ray comes out on its other side: rounding in the origin
-  /// cannot make a ray meet the surface it leaves.
-  void setSource(const Object3D* surface, std::uint32_t part) {
+  /// Says that the ray starts on `surface`, where that is a mesh on its triangle `face`. A plane or
+  /// triangle is then never hit by this ray, and a sphere only where the ray comes out on its other
+  /// side: rounding in the origin cannot make a ray meet the surface it leaves.
+  void setSource(const Object3D* surface, std::uint32_t face) {
     source_ = surface;
-    sourcePart_ = part;
+    sourceFace_ = face;
   }
   const Object3D* getSource() const { return source_; }
-  std::uint32_t getSourcePart() const { return sourcePart_; }
-  bool leaves(const Object3D* surface, std::uint32_t part = 0) const {
-    return source_ == surface && sourcePart_ == part;
+  std::uint32_t getSourceFace() const { return sourceFace_; }
+  /// Whether setSource has named this `surface` and `face`.
+  bool leaves(const Object3D* surface, std::uint32_t face = 0) const {
+    return source_ == surface && sourceFace_ == face;
   }
 
   /// The same ray seen from another space: new origin and direction, same source.
@@ -49,5 +50,5 @@ class Ray {
  private:
   Vec3d origin_, direction_;
   const Object3D* source_ = nullptr;  // not owned
-  std::uint32_t sourcePart_ = 0;
+  std::uint32_t sourceFace_ = 0;
 };

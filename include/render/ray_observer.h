@@ -6,6 +6,7 @@
 // of many rays mixed, and no terms, passages or parts: enough for counting. An observer belongs to
 // one thread.
 #pragma once
+#include "geometry/batch_geometry.h"
 #include "geometry/object3d.h"
 #include "math/vec3.h"
 #include "render/passage.h"

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "geometry/batch_geometry.h"
 #include "geometry/object3d.h"
 #include "render/passage.h"
 #include "render/ray_batch.h"
@@ -31,7 +32,7 @@ class RayTracer {
   Vec3f traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                  Hit& hit) const;
 
-  /// traceRay for at most Object3D::kBatchSize rays that belong together, all after the same
+  /// traceRay for at most kBatchSize rays that belong together, all after the same
   /// number of bounces: colors[i] becomes the colour that arrives along ray i, with the very bits
   /// that traceRay gives. The rays go through the scene together, and so do the shadow rays to each
   /// light, the mirrored rays and the refracted rays that begin where they end. `hits` has as many
@@ -126,7 +127,7 @@ class RayTracer {
   void setLeaving(const Hit& hit, const Vec3d& direction, Ray& ray) const {
     ray.set(hit.getIntersectionPoint(), direction);
     if (options_.epsilon.kind == Epsilon::Kind::adaptive) {
-      ray.setSource(hit.getObject(), hit.getPart());
+      ray.setSource(hit.getObject(), hit.getFace());
     }
   }
   float epsilonAt(const Hit& hit) const {

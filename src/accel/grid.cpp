@@ -98,9 +98,9 @@ class NearestHit {
   void askObject(const PlacedObject& object) {
     Hit hit(query_.inclusiveBound());
     if (!object.object->intersect(rays_.in(object.space), hit, query_.tmin)) return;
-    if (!query_.accepts(hit.getT(), object.order, hit.getPart())) return;
+    if (!query_.accepts(hit.getT(), object.order, hit.getFace())) return;
     hit_ = hit;
-    query_.found(hit.getT(), object.order, hit.getPart());
+    query_.found(hit.getT(), object.order, hit.getFace());
     space_ = object.space;
   }
 

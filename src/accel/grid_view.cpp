@@ -110,9 +110,10 @@ bool GridView::intersect(const Ray& ray, Hit& hit, double tmin) const {
     Vec3d normal;
     normal[axis] = towardsMore == enters ? -1 : 1;
     const std::size_t color = std::min<std::size_t>(counts_[index], palette_.size()) - 1;
-    hit.set(t, palette_[color], normal, ray);
-    hit.setPrimitive(this, std::uint32_t(index), ray,
-                     std::max(maxAbs(box_.low()), maxAbs(box_.high())));
+    const Vec3d point = ray.pointAtParameter(t);
+    const double extent = std::max(maxAbs(box_.low()), maxAbs(box_.high()));
+    hit.record(t, palette_[color], normal, point,
+               {this, std::uint32_t(index), magnitudeOf(t, point, ray, extent)});
     return true;
   }
   return false;

@@ -192,8 +192,8 @@ class ProvenHits {
       query.t = hits_.t[k];
       query.order = order_;
       query.part = faces_[k];
-      query.hit->restore(query.t, mesh_.getMaterial(), take(hits_.normal, k), take(hits_.point, k),
-                         &mesh_, query.part, hits_.magnitude[k]);
+      query.hit->record(query.t, mesh_.getMaterial(), take(hits_.normal, k), take(hits_.point, k),
+                        {&mesh_, query.part, hits_.magnitude[k]});
       found |= std::uint64_t(1) << rays_[k];
     }
     return found;

@@ -134,14 +134,14 @@ bool Space::nearestOf(const Entry& entry, const Ray& ray, NearestQuery& query) c
   // What comes later in the scene has to be nearer; `hit` is up to date between two entries.
   if (query.order == NearestQuery::kNothing || query.order < entry.order) {
     if (!entry.object->intersect(ray, *query.hit, query.tmin)) return false;
-    query.found(query.hit->getT(), entry.order, query.hit->getPart());
+    query.found(query.hit->getT(), entry.order, query.hit->getFace());
     return true;
   }
   Hit hit(query.inclusiveBound());
   if (!entry.object->intersect(ray, hit, query.tmin)) return false;
-  if (!query.accepts(hit.getT(), entry.order, hit.getPart())) return false;
+  if (!query.accepts(hit.getT(), entry.order, hit.getFace())) return false;
   *query.hit = hit;
-  query.found(hit.getT(), entry.order, hit.getPart());
+  query.found(hit.getT(), entry.order, hit.getFace());
   return true;
 }
 

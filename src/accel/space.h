@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "accel/map_noise.h"
+#include "geometry/batch_geometry.h"
 #include "accel/traversal.h"
 #include "accel/wide_bvh.h"
 #include "geometry/object3d.h"

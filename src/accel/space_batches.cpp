@@ -49,7 +49,7 @@ Bits nearestInPlain(const Space& space, const Entry& entry, const Ray* rays, int
     if (query.order != NearestQuery::kNothing && query.order >= entry.order) {
       found |= Bits(space.nearestOf(entry, rays[i], query)) << i;
     } else if (entry.object->intersect(rays[i], *query.hit, query.tmin)) {
-      query.found(query.hit->getT(), entry.order, query.hit->getPart());
+      query.found(query.hit->getT(), entry.order, query.hit->getFace());
       found |= Bits(1) << i;
     }
   }

@@ -6,16 +6,6 @@ bool Object3D::occluded(const Ray& ray, double tmin, double tmax) const {
   return intersect(ray, hit, tmin);
 }
 
-void Object3D::intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const {
-  for (int i = 0; i < count; ++i) intersect(rays[i], hits[i], tmins[i]);
-}
-
-void Object3D::occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const {
-  for (int i = 0; i < count; ++i) {
-    blocked[i] = occluded(queries[i].ray, queries[i].tmin, queries[i].tmax);
-  }
-}
-
 void Object3D::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
   double tmin = 0;
   for (Hit hit; intersect(ray, hit, tmin); hit = Hit()) {

@@ -14,8 +14,9 @@ bool Plane::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) con
 }
 
 void Plane::setHit(const Ray& ray, double t, Hit& hit) const {
-  hit.set(t, material_, normal_, ray);
-  hit.setPrimitive(this, 0, ray, std::fabs(offset_));
+  const Vec3d point = ray.pointAtParameter(t);
+  const double extent = std::fabs(offset_);
+  hit.record(t, material_, normal_, point, {this, 0, magnitudeOf(t, point, ray, extent)});
 }
 
 bool Plane::intersect(const Ray& ray, Hit& hit, double tmin) const {

@@ -34,8 +34,10 @@ bool Sphere::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) co
 }
 
 void Sphere::setHit(const Ray& ray, double t, Hit& hit) const {
-  hit.set(t, material_, normalize(ray.pointAtParameter(t) - center_), ray);
-  hit.setPrimitive(this, 0, ray, std::max(maxAbs(center_), radius_));
+  const Vec3d point = ray.pointAtParameter(t);
+  const double extent = std::max(maxAbs(center_), radius_);
+  hit.record(t, material_, normalize(point - center_), point,
+             {this, 0, magnitudeOf(t, point, ray, extent)});
 }
 
 bool Sphere::intersect(const Ray& ray, Hit& hit, double tmin) const {

@@ -14,9 +14,13 @@ void Transform::toParent(const Ray& ray, Hit& hit) const {
   const Vec3d normal = normalize(inverse_.transposeTransformDirection(hit.getNormal()));
   const Vec3d inside = inverse_.transformDirection(ray.getDirection());
   const Vec3d point = ray.pointAtParameter(hit.getT());
-  const double magnitude =
+  // The larger of the numbers on both sides of the map, and inside it.
+  const double outside =
       std::max(maxAbs(ray.getOrigin()), maxAbs(point)) / length(ray.getDirection());
-  hit.moveTo(ray, normal, std::max(magnitude, inverse_.magnitudeAt(point) / length(inside)));
+  const double within = inverse_.magnitudeAt(point) / length(inside);
+  const double magnitude = std::max(hit.getMagnitude(), std::max(outside, within));
+  hit.record(hit.getT(), hit.getMaterial(), normal, point,
+             {hit.getObject(), hit.getFace(), magnitude});
 }
 
 bool Transform::intersect(const Ray& ray, Hit& hit, double tmin) const {

@@ -18,8 +18,9 @@ bool Triangle::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) 
 
 void Triangle::setHit(const Ray& ray, double t, Hit& hit) const {
   const auto& [a, b, c] = vertices_;
-  hit.set(t, material_, normalize(triangle::areaNormal(a, b, c)), ray);
-  hit.setPrimitive(this, 0, ray, triangle::extent(a, b, c));
+  const Vec3d point = ray.pointAtParameter(t);
+  hit.record(t, material_, normalize(triangle::areaNormal(a, b, c)), point,
+             {this, 0, magnitudeOf(t, point, ray, triangle::extent(a, b, c))});
 }
 
 bool Triangle::intersect(const Ray& ray, Hit& hit, double tmin) const {

@@ -23,8 +23,9 @@ void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit
 
 void TriangleMesh::setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c,
                           const Ray& ray, double t, Hit& hit) const {
-  hit.set(t, material_, normalize(triangle::areaNormal(a, b, c)), ray);
-  hit.setPrimitive(this, face, ray, triangle::extent(a, b, c));
+  const Vec3d point = ray.pointAtParameter(t);
+  hit.record(t, material_, normalize(triangle::areaNormal(a, b, c)), point,
+             {this, face, magnitudeOf(t, point, ray, triangle::extent(a, b, c))});
 }
 
 void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const {

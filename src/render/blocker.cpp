@@ -36,5 +36,5 @@ std::optional<Blocker> findBlocker(const Object3D& geometry, const ShadowQuery& 
   }
   Hit hit(way.tmax);
   if (!geometry.intersect(way.ray, hit, way.tmin)) return std::nullopt;
-  return Blocker{hit.getObject(), hit.getPart(), hit.getT()};
+  return Blocker{hit.getObject(), hit.getFace(), hit.getT()};
 }

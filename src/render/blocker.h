@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/batch_geometry.h"
 #include "geometry/object3d.h"
 
 struct Blocker {

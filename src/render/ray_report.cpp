@@ -29,14 +29,14 @@ void RayReport::rayBegins(const RayBegin& ray) {
 }
 
 void RayReport::surfaceIsPassed(const Hit& hit) {
-  line("passes " + names_.ofObject(hit.getObject(), hit.getPart()) + ", at t " +
+  line("passes " + names_.ofObject(hit.getObject(), hit.getFace()) + ", at t " +
        textOf(hit.getT()) + ": the same medium on both sides");
 }
 
 void RayReport::rayMeets(const Hit* hit) {
   if (!hit) return line("hits nothing: background");
   material_ = hit->getMaterial();
-  line("hits " + names_.ofObject(hit->getObject(), hit->getPart()));
+  line("hits " + names_.ofObject(hit->getObject(), hit->getFace()));
   line("t " + textOf(hit->getT()) + ", point " + textOf(hit->getIntersectionPoint()) + ", normal " +
        textOf(hit->getNormal()));
   line(names_.ofMaterial(*material_));

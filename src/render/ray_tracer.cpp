@@ -131,8 +131,7 @@ Vec3d RayTracer::lights(const Ray& ray, const Hit& hit) const {
 
 const Hit& RayTracer::sideTowards(const Ray& ray, const Hit& hit, Hit& turned) {
   if (dot(hit.getNormal(), ray.getDirection()) <= 0) return hit;
-  turned = hit;
-  turned.set(hit.getT(), hit.getMaterial(), -hit.getNormal(), ray);
+  turned = hit.withNormal(-hit.getNormal());
   return turned;
 }
 

@@ -14,7 +14,7 @@
 namespace {
 
 constexpr int kTileSize = 16, kTilePixels = kTileSize * kTileSize;
-static_assert(kTilePixels <= Object3D::kBatchSize, "a tile is one batch");
+static_assert(kTilePixels <= kBatchSize, "a tile is one batch");
 /// Where rays are counted, tiles are small enough for so many threads, however many there are.
 constexpr int kWatchedThreads = 16;
 

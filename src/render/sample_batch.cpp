@@ -3,8 +3,8 @@
 
 void SampleBatch::flush() {
   RayBatch rays(count_);
-  Hit hits[Object3D::kBatchSize];
-  Vec3f colors[Object3D::kBatchSize];
+  Hit hits[kBatchSize];
+  Vec3f colors[kBatchSize];
   for (int k = 0; k < count_; ++k) {
     const Sample& sample = samples_[k];
     const Vec2d point = imagePoint(sample.at.i + sample.offset.x(), sample.at.j + sample.offset.y(),

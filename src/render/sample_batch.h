@@ -32,13 +32,13 @@ class SampleBatch {
   /// next flush().
   void add(const Sample& sample) {
     samples_[count_++] = sample;
-    if (count_ == Object3D::kBatchSize) flush();
+    if (count_ == kBatchSize) flush();
   }
   void flush();
 
  private:
   const SampledScene& scene_;
   const Receiver receiver_;
-  Sample samples_[Object3D::kBatchSize];
+  Sample samples_[kBatchSize];
   int count_ = 0;
 };

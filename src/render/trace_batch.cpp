@@ -7,6 +7,25 @@
 
 namespace {
 
+void intersectTogether(const Object3D& geometry, const RayBatch& batch, Hit* hits) {
+  if (const auto* batches = dynamic_cast<const BatchGeometry*>(&geometry)) {
+    return batches->intersectBatch(batch.rays.data(), batch.tmins.data(), batch.size(), hits);
+  }
+  for (std::size_t i = 0; i < batch.rays.size(); ++i) {
+    geometry.intersect(batch.rays[i], hits[i], batch.tmins[i]);
+  }
+}
+
+void occludedTogether(const Object3D& geometry, const std::vector<ShadowQuery>& ways, int count,
+                      bool* blocked) {
+  if (const auto* batches = dynamic_cast<const BatchGeometry*>(&geometry)) {
+    return batches->occludedBatch(ways.data(), count, blocked);
+  }
+  for (std::size_t i = 0; i < std::size_t(count); ++i) {
+    blocked[i] = geometry.occluded(ways[i].ray, ways[i].tmin, ways[i].tmax);
+  }
+}
+
 /// Fewer rays than this are traced one by one.
 constexpr int kFewRays = 4;
 /// After this many bounces rays go one by one, so that memory does not grow with -bounces.
@@ -90,7 +109,7 @@ class RayTracer::PartBatch {
   };
 
   void addPart(const RayBatch& batch, const Hit& hit, const Passage& passage, const Part& part) {
-    if (parts_.size() == Object3D::kBatchSize) shadeParts();
+    if (parts_.size() == kBatchSize) shadeParts();
     const auto place = std::size_t(part.place);
     RayShare share = batch.shares[place];
     share.weight *= float(part.weight);
@@ -189,7 +208,7 @@ void RayTracer::reportEyeRays(const RayBatch& batch) const {
 /// Finds what the rays hit, and what lies on both sides of it.
 std::vector<Passage> RayTracer::findBatch(const RayBatch& batch, Hit* hits) const {
   const int count = batch.size();
-  geometry_->intersectBatch(batch.rays.data(), batch.tmins.data(), count, hits);
+  intersectTogether(*geometry_, batch, hits);
   std::vector<Passage> passages(tracksMedia_ ? batch.rays.size() : 0);
   for (std::size_t i = 0; i < passages.size(); ++i) {
     if (isFound(hits[i])) settle(batch.rays[i], Hit().getT(), hits[i], passages[i]);
@@ -237,8 +256,8 @@ void RayTracer::addLight(int index, const std::vector<Ray>& rays, const Hit* hit
     places.push_back(i);
     samples.emplace_back();
   }
-  bool blocked[Object3D::kBatchSize];
-  geometry_->occludedBatch(ways.data(), int(places.size()), blocked);
+  bool blocked[kBatchSize];
+  occludedTogether(*geometry_, ways, int(places.size()), blocked);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t i = places[k];
     reportLight(index, hits[i], samples[k], blocked[k] ? Vec3f() : Vec3f(1, 1, 1));

@@ -31,7 +31,7 @@ inline bool sameBits(const Vec3d& a, const Vec3d& b) {
 }
 inline bool sameBits(const Hit& a, const Hit& b) {
   return sameBits(a.getT(), b.getT()) && a.getMaterial() == b.getMaterial() &&
-         a.getObject() == b.getObject() && a.getPart() == b.getPart() &&
+         a.getObject() == b.getObject() && a.getFace() == b.getFace() &&
          sameBits(a.getNormal(), b.getNormal()) &&
          sameBits(a.getIntersectionPoint(), b.getIntersectionPoint()) &&
          sameBits(a.getMagnitude(), b.getMagnitude());
@@ -46,7 +46,7 @@ inline std::string describe(const Ray& ray, double tmin, double tmax) {
          (ray.getSource() ? ", leaving a surface" : "");
 }
 inline std::string describe(const Hit& hit) {
-  return "t " + check::show(hit.getT()) + " part " + std::to_string(hit.getPart()) +
+  return "t " + check::show(hit.getT()) + " face " + std::to_string(hit.getFace()) +
          (hit.getMaterial() ? "" : " (nothing)");
 }
 
@@ -117,7 +117,11 @@ class Comparison {
     for (const Form& form : forms_) {
       std::vector<Hit> hits = bounds;
       const std::vector<double> tmins(rays.size(), tmin);
-      form.scene->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits.data());
+      if (form.batches) {
+        form.batches->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits.data());
+      } else {
+        for (std::size_t i = 0; i < rays.size(); ++i) form.scene->intersect(rays[i], hits[i], tmin);
+      }
       for (std::size_t i = 0; i < rays.size(); ++i) {
         cases_.expect(sameBits(hits[i], expected[i]), [&] {
           return where(form) + describe(rays[i], tmin, bounds[i].getT()) + ", " +
@@ -137,8 +141,14 @@ class Comparison {
       hits_ += expected.back();
     }
     for (const Form& form : forms_) {
-      bool blocked[Object3D::kBatchSize];
-      form.scene->occludedBatch(queries.data(), int(queries.size()), blocked);
+      bool blocked[kBatchSize];
+      if (form.batches) {
+        form.batches->occludedBatch(queries.data(), int(queries.size()), blocked);
+      } else {
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+          blocked[i] = form.scene->occluded(queries[i].ray, queries[i].tmin, queries[i].tmax);
+        }
+      }
       for (std::size_t i = 0; i < queries.size(); ++i) {
         cases_.expect(blocked[i] == bool(expected[i]), [&] {
           return where(form) + describe(queries[i].ray, queries[i].tmin, queries[i].tmax) + ", " +
@@ -158,12 +168,14 @@ class Comparison {
   /// One way to find hits, and what to call it.
   struct Form {
     std::unique_ptr<Object3D> scene;
+    const BatchGeometry* batches;  // the same object; null where it is asked ray by ray
     std::string description;
   };
   template <class Scene>
   void add(std::unique_ptr<Scene> scene) {
     const std::string description = scene->describe();
-    forms_.push_back({std::move(scene), description});
+    const auto* batches = dynamic_cast<const BatchGeometry*>(scene.get());
+    forms_.push_back({std::move(scene), batches, description});
   }
   std::string where(const Form& form) const { return name_ + " (" + form.description + "): "; }
 

@@ -34,8 +34,9 @@ class Block : public Object3D {
     if (!(enter <= leave && enter > tmin && enter < hit.getT())) return false;
     Vec3d normal;
     normal[enterAxis] = ray.getDirection()[enterAxis] > 0 ? -1 : 1;
-    hit.set(enter, material_, normal, ray);
-    hit.setPrimitive(this, 7, ray, half_);
+    const Vec3d point = ray.pointAtParameter(enter);
+    hit.record(enter, material_, normal, point,
+               {this, 7, magnitudeOf(enter, point, ray, half_)});
     return true;
   }
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override {
@@ -58,7 +59,9 @@ class DoubledSphere : public Sphere {
   using Sphere::Sphere;
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override {
     if (!doubled().intersect(ray, hit, tmin)) return false;
-    hit.setPrimitive(this, 0, ray, 1);
+    const Vec3d& point = hit.getIntersectionPoint();
+    hit.record(hit.getT(), hit.getMaterial(), hit.getNormal(), point,
+               {this, 0, magnitudeOf(hit.getT(), point, ray, 1)});
     return true;
   }
   bool occluded(const Ray& ray, double tmin, double tmax) const override {

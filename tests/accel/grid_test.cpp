@@ -139,7 +139,7 @@ TEST("with little room meshes are listed by runs of faces, and every face is sti
         (ball->corner(face, 0) + ball->corner(face, 1) + ball->corner(face, 2)) / 3;
     Hit hit;
     CHECK(grid.intersect(Ray(middle * 3, -middle), hit, 0));
-    CHECK_EQUAL(hit.getPart(), face);
+    CHECK_EQUAL(hit.getFace(), face);
   }
 }
 

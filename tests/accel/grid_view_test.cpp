@@ -72,7 +72,7 @@ TEST("a ray that leaves a cell does not meet it again") {
   Hit hit;
   CHECK(view.intersect(Ray({5, 0.6, 0.6}, {-1, 0, 0}), hit, 0));
   Ray away({0.99, 0.6, 0.6}, {1, 0, 0});  // as if rounding had put the point inside
-  away.setSource(hit.getObject(), hit.getPart());
+  away.setSource(hit.getObject(), hit.getFace());
   Hit next;
   CHECK(!view.intersect(away, next, 0));
 }

@@ -63,7 +63,7 @@ TEST("a million equal faces of a mesh give the first one") {
   Hit hit;
   CHECK(scene.intersect(Ray({0.25, 0.25, 2}, {0, 0, -1}), hit, 0));
   CHECK_EQUAL(hit.getT(), 2.0);
-  CHECK_EQUAL(hit.getPart(), 0u);
+  CHECK_EQUAL(hit.getFace(), 0u);
   CHECK(timer.seconds() < kMostSeconds);
 }
 

@@ -26,7 +26,7 @@ std::string nameOf(int i) { return "scene " + std::to_string(i); }
 /// The ray that leaves the surface of `hit`, as a mirror or a shadow ray would.
 Ray leaving(const Hit& hit, const Vec3d& direction, bool withSource) {
   Ray ray(hit.getIntersectionPoint(), direction);
-  if (withSource) ray.setSource(hit.getObject(), hit.getPart());
+  if (withSource) ray.setSource(hit.getObject(), hit.getFace());
   return ray;
 }
 

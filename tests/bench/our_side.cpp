@@ -8,8 +8,8 @@ namespace {
 
 std::size_t nearestOfTile(const CompiledScene& scene, const RaySet& set, std::size_t start,
                           int count) {
-  Hit hits[Object3D::kBatchSize];
-  double tmins[Object3D::kBatchSize];
+  Hit hits[kBatchSize];
+  double tmins[kBatchSize];
   std::fill_n(tmins, count, set.tmin);
   scene.intersectBatch(set.rays.data() + start, tmins, count, hits);
   std::size_t found = 0;
@@ -20,8 +20,8 @@ std::size_t nearestOfTile(const CompiledScene& scene, const RaySet& set, std::si
 /// The queries are put together here, as a renderer has to.
 std::size_t blockedInTile(const CompiledScene& scene, const RaySet& set, std::size_t start,
                           int count) {
-  ShadowQuery queries[Object3D::kBatchSize];
-  bool blocked[Object3D::kBatchSize];
+  ShadowQuery queries[kBatchSize];
+  bool blocked[kBatchSize];
   for (int i = 0; i < count; ++i) {
     const std::size_t ray = start + std::size_t(i);
     queries[i] = {set.rays[ray], set.tmin, set.tmax[ray]};

@@ -22,7 +22,7 @@ class TwoSheets : public Object3D {
     for (double height : {1.0, 3.0}) {
       const double t = (height - ray.getOrigin().z()) / ray.getDirection().z();
       if (!(t > tmin && t < hit.getT())) continue;
-      hit.set(t, &kFirst, {0, 0, 1}, ray);
+      hit.record(t, &kFirst, {0, 0, 1}, ray.pointAtParameter(t), {});
       found = true;
     }
     return found;

@@ -60,7 +60,7 @@ TEST("a mesh is hit on its nearest face, with that face's normal and number") {
   CHECK_EQUAL(hit.getNormal(), Vec3d(0, 0, 1));
   CHECK_EQUAL(hit.getMaterial(), &kMaterial);
   CHECK_EQUAL(hit.getObject(), &mesh);
-  CHECK_EQUAL(hit.getPart(), 2u);  // face {4, 5, 7}: x above y
+  CHECK_EQUAL(hit.getFace(), 2u);  // face {4, 5, 7}: x above y
   Hit inside;
   CHECK(mesh.intersect(Ray({1, 0.5, 0}, {0, 0, -1}), inside, 0));
   CHECK_EQUAL(inside.getT(), 2.0);
@@ -72,12 +72,12 @@ TEST("on a shared edge the face that comes first in the file wins") {
   const TriangleMesh mesh(&geometry, &kMaterial);
   Hit hit;
   CHECK(mesh.intersect(Ray({1, 1, 10}, {0, 0, -1}), hit, 0));  // on the diagonal from 4 to 7
-  CHECK_EQUAL(hit.getPart(), 2u);
+  CHECK_EQUAL(hit.getFace(), 2u);
   const MeshGeometry reversed({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
                               {{0, 2, 3}, {0, 1, 2}});
   Hit other;
   CHECK(TriangleMesh(&reversed, &kMaterial).intersect(Ray({0, 0, 1}, {0, 0, -1}), other, 0));
-  CHECK_EQUAL(other.getPart(), 0u);
+  CHECK_EQUAL(other.getFace(), 0u);
 }
 
 TEST("tmin and tmax are strict limits of a mesh") {
@@ -212,7 +212,7 @@ TEST("a ray that leaves one face never meets that face, but may meet its neighbo
   Hit neighbour;
   across = across.moved({0, 0.7, 2 + 1e-9}, {-1, 0, -1e-3});
   CHECK(mesh.intersect(across, neighbour, 0));
-  CHECK_EQUAL(neighbour.getPart(), 3u);
+  CHECK_EQUAL(neighbour.getFace(), 3u);
   CHECK_NEAR(neighbour.getT(), 1e-6, 1e-12);  // 1e-9 down at a slope of 1e-3
 }
 

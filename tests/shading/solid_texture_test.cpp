@@ -301,6 +301,6 @@ TEST("a texture sends back the mean of its parts' light, and has the largest of 
   // Halves at the whole point (0, 0, 0): three quarters red, one quarter blue.
   const Ray ray({0, 5, 0}, {0, -1, 0});
   Hit hit;
-  hit.set(5, &noise, {0, 1, 0}, ray);
+  hit.record(5, &noise, {0, 1, 0}, ray.pointAtParameter(5), {});
   CHECK_NEAR_VECTOR(noise.Shade(ray, hit, {0, 1, 0}, {1, 1, 1}), Vec3d(0.75, 0, 0.625), 1e-7);
 }
