@@ -1,5 +1,6 @@
-// RayCounts: an observer that counts. The sums are the same however the rays are shared out among
-// threads.
+// RayCounts: how many rays of each kind, and why branches ended. As an observer it counts what a
+// WatchedTracer does; a WaveTracer adds the lengths of its lists. The sums are the same however the
+// rays are shared out among threads, and whoever traces them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,20 +10,29 @@
 
 class RayCounts : public RayObserver {
  public:
-  void rayBegins(const RayBegin& ray) override;
-  void rayMeets(const Hit* hit) override;
-  void lightAnswers(const LightVerdict& verdict) override;
-  void branchStops(RayKind kind, BranchStop why, float weight) override;
-
+  /// Adds `count` rays that begin after `bounces` >= 0 others.
+  void addRays(RayKind kind, int bounces, std::size_t count);
+  /// Adds `count` rays that meet nothing.
+  void addMisses(std::size_t count) { misses_ += count; }
+  /// Adds shadow rays, of which nothing gets through `blocked`.
+  void addShadowRays(std::size_t cast, std::size_t blocked);
   /// Adds what another one has counted.
   void add(const RayCounts& other);
+
+  void rayBegins(const RayBegin& ray) override { addRays(ray.kind, ray.bounces, 1); }
+  void rayMeets(const Hit* hit) override { addMisses(hit ? 0 : 1); }
+  void lightAnswers(const LightVerdict& verdict) override {
+    if (verdict.castShadowRay) addShadowRays(1, verdict.visible == Vec3f() ? 1 : 0);
+  }
+  void branchEnds(RayKind, Outcome why, float) override { ++ends_[std::size_t(why)]; }
 
   std::uint64_t rays(RayKind kind) const { return rays_[std::size_t(kind)]; }
   std::uint64_t shadowRays() const { return shadowRays_; }
   /// Shadow rays that nothing gets through.
   std::uint64_t blockedShadowRays() const { return blocked_; }
   std::uint64_t misses() const { return misses_; }
-  std::uint64_t stops(BranchStop why) const { return stops_[std::size_t(why)]; }
+  /// Branches that ended so: tooManyBounces, tooFaint or totalReflection.
+  std::uint64_t ends(Outcome why) const { return ends_[std::size_t(why)]; }
   /// Rays of every kind, shadow rays too.
   std::uint64_t total() const;
   /// How many rays came after 0, 1, 2 ... bounces, shadow rays not counted; as long as the longest
@@ -31,7 +41,7 @@ class RayCounts : public RayObserver {
 
  private:
   std::array<std::uint64_t, kRayKinds> rays_{};
-  std::array<std::uint64_t, kBranchStops> stops_{};
+  std::array<std::uint64_t, kOutcomes> ends_{};
   std::uint64_t shadowRays_ = 0, blocked_ = 0, misses_ = 0;
   std::vector<std::uint64_t> byBounces_;
 };

@@ -22,12 +22,12 @@ class RayReport : public RayObserver {
   void rayBegins(const RayBegin& ray) override;
   void surfaceIsPassed(const Hit& hit) override;
   void rayMeets(const Hit* hit) override;
-  void passageIsKnown(const Passage& passage) override;
-  void partBegins(const Material& material, double weight) override;
-  void partEnds(const Vec3f& color) override;
+  void interfaceIsKnown(const Interface& interface) override;
+  void componentBegins(const Material& material, double share) override;
+  void componentEnds(const Vec3f& color) override;
   void lightAnswers(const LightVerdict& verdict) override;
   void lightAdds(const Vec3d& color) override;
-  void branchStops(RayKind kind, BranchStop why, float weight) override;
+  void branchEnds(RayKind kind, Outcome why, float weight) override;
   void termIsKnown(ColorTerm term, const Vec3d& color) override;
   void rayEnds(const Vec3f& color) override;
 

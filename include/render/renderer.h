@@ -7,7 +7,7 @@
 #include "image/float_image.h"
 #include "image/image.h"
 #include "render/material_colors.h"
-#include "render/ray_observer.h"
+#include "render/ray_counts.h"
 #include "render/render_options.h"
 #include "render/tile_hooks.h"
 #include "scene/scene_parser.h"
@@ -42,11 +42,11 @@ struct RenderTargets {
   TileStore* store = nullptr;        ///< null: nobody keeps tiles
 };
 
-/// What one worker thread asks and whom it tells, where threads are to be watched: `geometry`
-/// answers as the common one does, `observer` may be null. Not owned.
+/// What one worker thread asks and where it counts its rays: `geometry` answers as the common one
+/// does. Not owned, not null.
 struct WorkerView {
   const Object3D* geometry;
-  RayObserver* observer;
+  RayCounts* counts;
 };
 
 /// Fills the targets with the scene as its camera sees it, `geometry` (the scene's group, or a
@@ -54,7 +54,7 @@ struct WorkerView {
 /// one target must be given; a pixel's central ray is cast once however many there are. Depth and
 /// normals are those of the central ray even where the colour comes from samples, whose rays are
 /// then cast besides it, once for colour and samples together.
-/// `views` is empty or holds one for each thread.
+/// `views` is empty, or holds one for each thread where rays are to be counted.
 /// Throws what a worker thread throws (std::bad_alloc, std::system_error).
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
             int threads, const RenderTargets& targets, const std::vector<WorkerView>& views = {});

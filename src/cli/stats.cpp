@@ -49,9 +49,9 @@ std::string rayLines(const RayCounts& rays) {
          line("shadow rays", rays.shadowRays()) +
          line("shadow rays blocked", rays.blockedShadowRays()) +
          line("rays to the background", rays.misses()) + depthLines(rays.byBounces()) +
-         line("branches ended by bounces", rays.stops(BranchStop::bounces)) +
-         line("branches ended by weight", rays.stops(BranchStop::weight)) +
-         line("branches ended by total reflection", rays.stops(BranchStop::totalReflection));
+         line("branches ended by bounces", rays.ends(Outcome::tooManyBounces)) +
+         line("branches ended by weight", rays.ends(Outcome::tooFaint)) +
+         line("branches ended by total reflection", rays.ends(Outcome::totalReflection));
 }
 
 std::string testLines(const char* what, const TestCounts& tests, std::uint64_t rays) {

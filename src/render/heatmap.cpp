@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "render/number_text.h"
-#include "render/ray_tracer.h"
 #include "render/sampled_renderer.h"
 #include "render/tracing_stack.h"
+#include "render/watched_tracer.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -28,12 +28,12 @@ class RayCounter : public RayObserver {
 /// What one thread counts with.
 class PixelCounter {
  public:
-  PixelCounter(const SampledScene& scene, const Object3D& geometry, const SamplingOptions& sampling,
-               std::vector<std::uint32_t>& counts)
+  PixelCounter(const SampledScene& scene, const SceneParser& parsed, const Object3D& geometry,
+               const RenderOptions& options, std::vector<std::uint32_t>& counts)
       : scene_(scene),
-        watched_(scene.tracer.watchedBy(&counter_, geometry)),
-        sampling_(sampling),
-        sampler_(makeSampler(sampling)),
+        watched_(parsed, geometry, options, counter_),
+        sampling_(options.sampling),
+        sampler_(makeSampler(options.sampling)),
         counts_(counts) {}
   PixelCounter(const PixelCounter&) = delete;
   PixelCounter& operator=(const PixelCounter&) = delete;
@@ -66,7 +66,7 @@ class PixelCounter {
 
   const SampledScene& scene_;
   RayCounter counter_;
-  const RayTracer watched_;
+  const WatchedTracer watched_;
   const SamplingOptions& sampling_;
   const std::unique_ptr<const Sampler> sampler_;
   std::vector<std::uint32_t>& counts_;
@@ -98,14 +98,15 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
                                      int height, TileListener* listener) {
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
   const RayTracer tracer(scene, geometry, options);
-  const SampledScene sampled = {*scene.getCamera(), tracer, width, height};
+  const WaveTracer waves(tracer);
+  const SampledScene sampled = {*scene.getCamera(), waves, width, height};
   const int columns = (width + kTileSize - 1) / kTileSize;
   const int tiles = columns * ((height + kTileSize - 1) / kTileSize);
   const double samples = options.sampling.samples;  // as far as they can be foretold
   if (listener) listener->begins(samples * width * height);
   std::atomic<int> next{0};
   runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int) {
-    PixelCounter counter(sampled, geometry, options.sampling, counts);
+    PixelCounter counter(sampled, scene, geometry, options, counts);
     for (int tile; (tile = next++) < tiles;) {
       const int left = tile % columns * kTileSize, bottom = tile / columns * kTileSize;
       const PixelRectangle area = {left, bottom, std::min(left + kTileSize, width),

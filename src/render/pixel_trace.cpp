@@ -1,9 +1,9 @@
 // One pixel: the ray through its centre, and its samples where it has others.
 #include "render/pixel_trace.h"
 
-#include "render/ray_tracer.h"
 #include "render/sampled_renderer.h"
 #include "render/tracing_stack.h"
+#include "render/watched_tracer.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -22,14 +22,14 @@ class Observers : public RayObserver {
   void rayMeets(const Hit* hit) override {
     tell([&](RayObserver& one) { one.rayMeets(hit); });
   }
-  void passageIsKnown(const Passage& passage) override {
-    tell([&](RayObserver& one) { one.passageIsKnown(passage); });
+  void interfaceIsKnown(const Interface& interface) override {
+    tell([&](RayObserver& one) { one.interfaceIsKnown(interface); });
   }
-  void partBegins(const Material& material, double weight) override {
-    tell([&](RayObserver& one) { one.partBegins(material, weight); });
+  void componentBegins(const Material& material, double share) override {
+    tell([&](RayObserver& one) { one.componentBegins(material, share); });
   }
-  void partEnds(const Vec3f& color) override {
-    tell([&](RayObserver& one) { one.partEnds(color); });
+  void componentEnds(const Vec3f& color) override {
+    tell([&](RayObserver& one) { one.componentEnds(color); });
   }
   void lightAnswers(const LightVerdict& verdict) override {
     tell([&](RayObserver& one) { one.lightAnswers(verdict); });
@@ -37,8 +37,8 @@ class Observers : public RayObserver {
   void lightAdds(const Vec3d& color) override {
     tell([&](RayObserver& one) { one.lightAdds(color); });
   }
-  void branchStops(RayKind kind, BranchStop why, float weight) override {
-    tell([&](RayObserver& one) { one.branchStops(kind, why, weight); });
+  void branchEnds(RayKind kind, Outcome why, float weight) override {
+    tell([&](RayObserver& one) { one.branchEnds(kind, why, weight); });
   }
   void termIsKnown(ColorTerm term, const Vec3d& color) override {
     tell([&](RayObserver& one) { one.termIsKnown(term, color); });
@@ -74,7 +74,6 @@ Vec3f sampledColor(const SampledScene& scene, const SamplingOptions& sampling, P
 PixelColors tracePixel(const SceneParser& scene, const Object3D& geometry,
                        const RenderOptions& options, const PixelOfPicture& place,
                        const std::vector<RayObserver*>& observers) {
-  const RayTracer tracer(scene, geometry, options);
   const Camera& camera = *scene.getCamera();
   PixelColors colors;
   runOnThreads(1, tracingStack(options), [&](int) {
@@ -82,11 +81,13 @@ PixelColors tracePixel(const SceneParser& scene, const Object3D& geometry,
     Ray ray =
         camera.generateRay(imagePoint(place.i + 0.5, place.j + 0.5, place.width, place.height));
     Hit hit;
-    colors.centralRay =
-        tracer.watchedBy(&all, geometry).traceRay(ray, float(camera.getTMin()), 0, 1, 1, hit);
+    colors.centralRay = WatchedTracer(scene, geometry, options, all)
+                            .traceRay(ray, float(camera.getTMin()), 0, 1, 1, hit);
+    const RayTracer tracer(scene, geometry, options);
+    const WaveTracer waves(tracer);
     colors.pixel = options.sampling.isPlain()
                        ? colors.centralRay
-                       : sampledColor({camera, tracer, place.width, place.height}, options.sampling,
+                       : sampledColor({camera, waves, place.width, place.height}, options.sampling,
                                       {place.i, place.j});
   });
   return colors;

@@ -1,32 +1,39 @@
-// RayCounts: one addition for each event.
+// RayCounts: sums.
 #include "render/ray_counts.h"
 
+#include <algorithm>
+#include <functional>
 #include <numeric>
 
-void RayCounts::rayBegins(const RayBegin& ray) {
-  ++rays_[std::size_t(ray.kind)];
-  const auto bounces = std::size_t(ray.bounces);
-  if (bounces >= byBounces_.size()) byBounces_.resize(bounces + 1);
-  ++byBounces_[bounces];
+namespace {
+
+/// Adds each of `added` to what stands at its place in `sums`, which is as long.
+template <class Numbers>
+void addEach(const Numbers& added, Numbers& sums) {
+  std::transform(added.begin(), added.end(), sums.begin(), sums.begin(), std::plus<>());
 }
 
-void RayCounts::rayMeets(const Hit* hit) { misses_ += !hit; }
+}  // namespace
 
-void RayCounts::lightAnswers(const LightVerdict& verdict) {
-  shadowRays_ += verdict.castShadowRay;
-  blocked_ += verdict.castShadowRay && verdict.visible == Vec3f();
+void RayCounts::addRays(RayKind kind, int bounces, std::size_t count) {
+  if (count == 0) return;  // no way of that length
+  rays_[std::size_t(kind)] += count;
+  if (std::size_t(bounces) >= byBounces_.size()) byBounces_.resize(std::size_t(bounces) + 1);
+  byBounces_[std::size_t(bounces)] += count;
 }
 
-void RayCounts::branchStops(RayKind, BranchStop why, float) { ++stops_[std::size_t(why)]; }
+void RayCounts::addShadowRays(std::size_t cast, std::size_t blocked) {
+  shadowRays_ += cast;
+  blocked_ += blocked;
+}
 
 void RayCounts::add(const RayCounts& other) {
-  for (std::size_t i = 0; i < rays_.size(); ++i) rays_[i] += other.rays_[i];
-  for (std::size_t i = 0; i < stops_.size(); ++i) stops_[i] += other.stops_[i];
-  shadowRays_ += other.shadowRays_;
-  blocked_ += other.blocked_;
-  misses_ += other.misses_;
-  if (byBounces_.size() < other.byBounces_.size()) byBounces_.resize(other.byBounces_.size());
-  for (std::size_t i = 0; i < other.byBounces_.size(); ++i) byBounces_[i] += other.byBounces_[i];
+  addEach(other.rays_, rays_);
+  addEach(other.ends_, ends_);
+  byBounces_.resize(std::max(byBounces_.size(), other.byBounces_.size()));
+  addEach(other.byBounces_, byBounces_);
+  addShadowRays(other.shadowRays_, other.blocked_);
+  addMisses(other.misses_);
 }
 
 std::uint64_t RayCounts::total() const {

@@ -41,13 +41,13 @@ void RayLines::rayMeets(const Hit* hit) {
 }
 
 void RayLines::lightAnswers(const LightVerdict& verdict) {
-  if (!verdict.way) return;
-  const ShadowQuery& way = *verdict.way;
-  const double whole = std::isfinite(way.tmax) ? way.tmax : escapeLength_;
-  if (verdict.visible == Vec3f(1, 1, 1)) return add(lit, way.ray, 0, whole);
-  if (verdict.visible != Vec3f()) return add(tinted, way.ray, 0, whole);
-  const auto blocker = findBlocker(geometry_, way, options_.transparentShadows);
-  add(blocked, way.ray, 0, blocker ? blocker->t : whole);
+  if (!verdict.query) return;
+  const ShadowQuery& query = *verdict.query;
+  const double whole = std::isfinite(query.tmax) ? query.tmax : escapeLength_;
+  if (verdict.visible == Vec3f(1, 1, 1)) return add(lit, query.ray, 0, whole);
+  if (verdict.visible != Vec3f()) return add(tinted, query.ray, 0, whole);
+  const auto blocker = findBlocker(geometry_, query, options_.transparentShadows);
+  add(blocked, query.ray, 0, blocker ? blocker->t : whole);
 }
 
 std::string RayLines::obj() const {

@@ -42,20 +42,20 @@ void RayReport::rayMeets(const Hit* hit) {
   line(names_.ofMaterial(*material_));
 }
 
-void RayReport::passageIsKnown(const Passage& passage) {
+void RayReport::interfaceIsKnown(const Interface& interface) {
   if (anyPositive(material_->getTransparentColor())) {
-    line("index before " + textOf(passage.before.indexAt(*material_)) + ", behind " +
-         textOf(passage.behind.indexAt(*material_)));
+    line("index before " + textOf(interface.before.indexAt(*material_)) + ", behind " +
+         textOf(interface.behind.indexAt(*material_)));
   }
-  if (passage.tint != Vec3f(1, 1, 1)) line("dimmed on the way by " + textOf(passage.tint));
+  if (interface.tint != Vec3f(1, 1, 1)) line("dimmed on the way by " + textOf(interface.tint));
 }
 
-void RayReport::partBegins(const Material& material, double weight) {
-  line("part " + textOf(weight) + " of " + names_.ofMaterial(material));
+void RayReport::componentBegins(const Material& material, double share) {
+  line("part " + textOf(share) + " of " + names_.ofMaterial(material));
   ++depth_;
 }
 
-void RayReport::partEnds(const Vec3f& color) {
+void RayReport::componentEnds(const Vec3f& color) {
   line("color of the part " + textOf(color));
   --depth_;
 }
@@ -63,9 +63,9 @@ void RayReport::partEnds(const Vec3f& color) {
 /// What came of the shadow ray.
 std::string RayReport::wayOf(const LightVerdict& verdict) const {
   if (!verdict.isInFront) return "behind the surface";
-  if (!verdict.way) return "in front, no shadow ray";
+  if (!verdict.query) return "in front, no shadow ray";
   if (verdict.visible == Vec3f(1, 1, 1)) return "in front, nothing in the way";
-  const auto blocker = findBlocker(geometry_, *verdict.way, options_.transparentShadows);
+  const auto blocker = findBlocker(geometry_, *verdict.query, options_.transparentShadows);
   if (verdict.visible != Vec3f() || !blocker) {
     return "in front, tinted by " + textOf(verdict.visible);
   }
@@ -80,10 +80,10 @@ void RayReport::lightAnswers(const LightVerdict& verdict) {
 
 void RayReport::lightAdds(const Vec3d& color) { line("  adds " + textOf(Vec3f(color))); }
 
-void RayReport::branchStops(RayKind kind, BranchStop why, float weight) {
+void RayReport::branchEnds(RayKind kind, Outcome why, float weight) {
   const std::string reason =
-      why == BranchStop::bounces ? "bounces " + std::to_string(options_.maxBounces) + " is the most"
-      : why == BranchStop::weight
+      why == Outcome::tooManyBounces ? "bounces " + std::to_string(options_.maxBounces) + " is the most"
+      : why == Outcome::tooFaint
           ? "weight " + textOf(weight) + " is below " + textOf(options_.minWeight)
           : std::string("total internal reflection");
   line("no " + std::string(kKinds[int(kind)]) + " ray: " + reason);

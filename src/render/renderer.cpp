@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "render/image_plane.h"
-#include "render/ray_tracer.h"
 #include "render/sampled_renderer.h"
 #include "render/tracing_stack.h"
+#include "render/watched_tracer.h"
+#include "render/wave_tracer.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -16,7 +18,7 @@ namespace {
 constexpr int kTileSize = 16, kTilePixels = kTileSize * kTileSize;
 static_assert(kTilePixels <= kBatchSize, "a tile is one batch");
 /// Where rays are counted, tiles are small enough for so many threads, however many there are.
-constexpr int kWatchedThreads = 16;
+constexpr int kCountedThreads = 16;
 
 const Image* anyOf(const RenderTargets& targets) {
   for (const Image* image : {targets.color, targets.depth, targets.normals}) {
@@ -42,7 +44,7 @@ PictureWindow windowOf(const RenderTargets& targets) {
 
 class TileRenderer {
  public:
-  TileRenderer(const SceneParser& scene, const RayTracer& tracer, const RenderTargets& targets)
+  TileRenderer(const SceneParser& scene, const WaveTracer& tracer, const RenderTargets& targets)
       : camera_(*scene.getCamera()),
         tracer_(tracer),
         targets_(targets),
@@ -61,19 +63,22 @@ class TileRenderer {
   void renderTile(int tile) const {
     const PixelRectangle area = areaOf(tile);
     Pixel pixels[kTilePixels];
-    RayBatch rays(kTilePixels);
+    RayBatch rays;
+    rays.reserve(kTilePixels);
     int count = 0;
     for (int place = 0; place < kTilePixels; ++place) {
       const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
       if (!area.contains(pixel)) continue;
       pixels[count++] = pixel;
-      rays.add(camera_.generateRay(centreOf(pixel)), camera_.getTMin());
+      TracedRay& ray = rays.emplace_back();
+      ray.ray = camera_.generateRay(centreOf(pixel));
+      ray.tmin = camera_.getTMin();
     }
     Hit hits[kTilePixels];
     if (targets_.color) {
       setColors(rays, hits, pixels);
     } else {
-      tracer_.intersectBatch(rays, hits);
+      tracer_.intersect(rays, hits);
     }
     for (int k = 0; k < count; ++k) setSurface(hits[k], pixels[k]);
   }
@@ -90,8 +95,8 @@ class TileRenderer {
 
   void setColors(const RayBatch& rays, Hit* hits, const Pixel* pixels) const {
     Vec3f colors[kTilePixels];
-    tracer_.traceBatch(rays, 0, hits, colors);
-    for (int k = 0; k < rays.size(); ++k) {
+    tracer_.trace(rays, 0, hits, colors);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
       set(targets_.color, targets_.exactColor, pixels[k], colors[k]);
     }
   }
@@ -127,22 +132,31 @@ class TileRenderer {
   }
 
   const Camera& camera_;
-  const RayTracer tracer_;
+  const WaveTracer& tracer_;
   const RenderTargets targets_;
   const PictureWindow window_;
   const int width_, height_;  // of the targets
 };
 
-/// A tracer and, where threads are watched, what each of them has of its own.
-struct Watch {
-  const RayTracer& tracer;
-  const std::vector<WorkerView>& views;
+/// What one thread traces with: the tracer of all threads or, where rays are counted, one of its
+/// own.
+class ThreadTracer {
+ public:
+  /// `view` is null where nothing is counted. Nothing is owned.
+  ThreadTracer(const RayTracer& common, const WorkerView* view)
+      : counting_(view ? countingTracer(common, *view) : nullptr),
+        waves_(counting_ ? *counting_ : common, view ? view->counts : nullptr) {}
+  const WaveTracer& waves() const { return waves_; }
 
-  RayTracer tracerOf(int thread) const {
-    if (views.empty()) return tracer;
-    const WorkerView& view = views[std::size_t(thread)];
-    return tracer.watchedBy(view.observer, *view.geometry);
+ private:
+  static std::unique_ptr<const RayTracer> countingTracer(const RayTracer& common,
+                                                         const WorkerView& view) {
+    return std::make_unique<WatchedTracer>(common.scene(), *view.geometry,
+                                           common.shader().options(), *view.counts);
   }
+
+  const std::unique_ptr<const RayTracer> counting_;
+  const WaveTracer waves_;
 };
 
 /// Rays for each pixel, as far as they can be foretold.
@@ -165,13 +179,15 @@ double allRaysOf(const RenderTargets& targets, const RenderOptions& options) {
 /// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a
 /// renderer that makeRenderer(tracer) gives.
 template <class MakeRenderer>
-void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderOptions& options,
-                 int threads, const MakeRenderer& makeRenderer) {
-  const int tiles = makeRenderer(watch.tracer).tileCount();
+void renderTiles(const RayTracer& tracer, const std::vector<WorkerView>& views,
+                 const RenderTargets& targets, int threads, const MakeRenderer& makeRenderer) {
+  const RenderOptions& options = tracer.shader().options();
+  const WaveTracer waves(tracer);
+  const int tiles = makeRenderer(waves).tileCount();
   std::atomic<int> next{0};
   runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int thread) {
-    const RayTracer tracer = watch.tracerOf(thread);
-    const auto renderer = makeRenderer(tracer);
+    const ThreadTracer own(tracer, views.empty() ? nullptr : &views[std::size_t(thread)]);
+    const auto renderer = makeRenderer(own.waves());
     for (int tile; (tile = next++) < tiles;) {
       const PixelRectangle area = renderer.areaOf(tile);
       if (!targets.store || !targets.store->isFinished(targets, area)) {
@@ -189,7 +205,6 @@ void renderTiles(const Watch& watch, const RenderTargets& targets, const RenderO
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
             int threads, const RenderTargets& targets, const std::vector<WorkerView>& views) {
   const RayTracer tracer(scene, geometry, options);
-  const Watch watch = {tracer, views};
   RenderTargets central = targets;
   if (targets.listener) targets.listener->begins(allRaysOf(targets, options));
   if (targets.samples || (targets.color && !options.sampling.isPlain())) {
@@ -198,8 +213,8 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
     ofSamples.depth = ofSamples.normals = nullptr;
     ofSamples.exactDepth = ofSamples.exactNormals = nullptr;
     // Rays around a tile are traced again: to count the same, tiles must have the same size.
-    const int tileThreads = views.empty() ? threads : kWatchedThreads;
-    renderTiles(watch, ofSamples, options, threads, [&](const RayTracer& own) {
+    const int tileThreads = views.empty() ? threads : kCountedThreads;
+    renderTiles(tracer, views, ofSamples, threads, [&](const WaveTracer& own) {
       return SampledRenderer({*scene.getCamera(), own, window.width, window.height},
                              options.sampling, ofSamples, sizeOf(targets), tileThreads);
     });
@@ -207,6 +222,6 @@ void render(const SceneParser& scene, const Object3D& geometry, const RenderOpti
     central.exactColor = nullptr;
     if (!anyOf(central)) return;
   }
-  renderTiles(watch, central, options, threads,
-              [&](const RayTracer& own) { return TileRenderer(scene, own, central); });
+  renderTiles(tracer, views, central, threads,
+              [&](const WaveTracer& own) { return TileRenderer(scene, own, central); });
 }

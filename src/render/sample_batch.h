@@ -5,7 +5,7 @@
 #include "camera/camera.h"
 #include "math/vec2.h"
 #include "render/image_plane.h"
-#include "render/ray_tracer.h"
+#include "render/wave_tracer.h"
 
 /// A ray's place: `offset` from the lower left corner of pixel `at`.
 struct Sample {
@@ -16,7 +16,7 @@ struct Sample {
 /// What a sample's colour comes from. Nothing is owned.
 struct SampledScene {
   const Camera& camera;
-  const RayTracer& tracer;
+  const WaveTracer& tracer;
   int width, height;  ///< of the picture, in pixels
 };
 

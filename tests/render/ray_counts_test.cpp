@@ -4,6 +4,8 @@
 #include "accel/compiled_scene.h"
 #include "check.h"
 #include "render/renderer.h"
+#include "render/watched_tracer.h"
+#include "render/wave_tracer.h"
 #include "scene_text.h"
 #include "vectors.h"
 
@@ -25,10 +27,12 @@ class Log : public RayObserver {
              : verdict.visible == white() ? "-open "
                                           : "-tinted ";
   }
-  void branchStops(RayKind kind, BranchStop why, float) override {
-    constexpr const char* kWhy[] = {"bounces", "weight", "total-reflection"};
+  void branchEnds(RayKind kind, Outcome why, float) override {
     text_ += std::string(kind == RayKind::mirror ? "no-mirror-" : "no-refraction-") +
-             kWhy[int(why)] + " ";
+             (why == Outcome::tooManyBounces    ? "bounces "
+              : why == Outcome::tooFaint        ? "weight "
+              : why == Outcome::totalReflection ? "total-reflection "
+                                                : "? ");
   }
   void termIsKnown(ColorTerm term, const Vec3d& color) override {
     sum_ = term == ColorTerm::ambient ? color : sum_ + color;
@@ -54,8 +58,7 @@ std::string logOf(const std::string& sceneText, const Ray& eyeRay,
                   const RenderOptions& options = {}) {
   const SceneParser scene = scene_text::parse(sceneText);
   Log log;
-  const RayTracer tracer =
-      RayTracer(scene, *scene.getGroup(), options).watchedBy(&log, *scene.getGroup());
+  const WatchedTracer tracer(scene, *scene.getGroup(), options, log);
   Ray ray = eyeRay;
   Hit hit;
   const Vec3f color = tracer.traceRay(ray, 0, 0, 1, 1, hit);
@@ -88,9 +91,9 @@ void checkSame(const RayCounts& a, const RayCounts& b) {
   for (const RayKind kind : {RayKind::eye, RayKind::mirror, RayKind::refracted}) {
     CHECK_EQUAL(a.rays(kind), b.rays(kind));
   }
-  for (const BranchStop why :
-       {BranchStop::bounces, BranchStop::weight, BranchStop::totalReflection}) {
-    CHECK_EQUAL(a.stops(why), b.stops(why));
+  for (const Outcome why :
+       {Outcome::tooManyBounces, Outcome::tooFaint, Outcome::totalReflection}) {
+    CHECK_EQUAL(a.ends(why), b.ends(why));
   }
   CHECK_EQUAL(a.shadowRays(), b.shadowRays());
   CHECK_EQUAL(a.blockedShadowRays(), b.blockedShadowRays());
@@ -166,7 +169,7 @@ TEST("between facing mirrors every ray is counted, at every bounce") {
   CHECK_EQUAL(rays.misses(), 0u);
   CHECK_EQUAL(rays.total(), 9 * 1200u);
   CHECK(rays.byBounces() == std::vector<std::uint64_t>(6, 1200));
-  CHECK_EQUAL(rays.stops(BranchStop::bounces), 1200u);
+  CHECK_EQUAL(rays.ends(Outcome::tooManyBounces), 1200u);
 }
 
 TEST("counts are the same for any number of threads, compiled or not, and change no byte") {
@@ -207,19 +210,21 @@ TEST("several samples in a pixel under a filter are counted alike by any number 
 TEST("rays that are traced one by one are counted as those of a batch") {
   const SceneParser scene((check::testsFolder() + "/../scenes/17_gem.txt").c_str());
   const Object3D& geometry = *scene.getGroup();
-  const RayTracer tracer(scene, geometry, scene_text::bouncing(4));
+  const RenderOptions options = scene_text::bouncing(4);
   RayCounts single, batch;
+  const WatchedTracer singleTracer(scene, geometry, options, single);
+  const WatchedTracer batchTracer(scene, geometry, options, batch);
   RayBatch rays(64);
   for (int i = 0; i < 64; ++i) {
     const Ray ray = scene.getCamera()->generateRay({(i % 8 - 3.5) / 16, (i / 8 - 3.5) / 16});
-    rays.add(ray, 0);
+    rays[std::size_t(i)].ray = ray;
     Ray copy = ray;
     Hit hit;
-    tracer.watchedBy(&single, geometry).traceRay(copy, 0, 0, 1, 1, hit);
+    singleTracer.traceRay(copy, 0, 0, 1, 1, hit);
   }
   std::vector<Hit> hits(64);
   std::vector<Vec3f> colors(64);
-  tracer.watchedBy(&batch, geometry).traceBatch(rays, 0, hits.data(), colors.data());
+  WaveTracer(batchTracer, &batch).trace(rays, 0, hits.data(), colors.data());
   CHECK(single.rays(RayKind::refracted) > 20);
   checkSame(single, batch);
 }

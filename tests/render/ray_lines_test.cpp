@@ -2,7 +2,7 @@
 #include "render/ray_lines.h"
 
 #include "check.h"
-#include "render/ray_tracer.h"
+#include "render/watched_tracer.h"
 #include "scene_text.h"
 
 namespace {
@@ -13,8 +13,7 @@ std::string objOf(const std::string& sceneText, const Ray& eyeRay, double tmin,
   RayLines lines(*scene.getGroup(), options, 20);
   Ray ray = eyeRay;
   Hit hit;
-  RayTracer(scene, *scene.getGroup(), options)
-      .watchedBy(&lines, *scene.getGroup())
+  WatchedTracer(scene, *scene.getGroup(), options, lines)
       .traceRay(ray, float(tmin), 0, 1, 1, hit);
   return lines.obj();
 }

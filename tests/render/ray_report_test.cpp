@@ -2,7 +2,7 @@
 #include "render/ray_report.h"
 
 #include "check.h"
-#include "render/ray_tracer.h"
+#include "render/watched_tracer.h"
 #include "scene_text.h"
 
 namespace {
@@ -21,7 +21,7 @@ std::string reportOf(const std::string& text, const RenderOptions& options = {})
   RayReport observer(names, geometry, options, [&](const std::string& line) { report += line; });
   Ray ray({0, 0, 5}, {0, 0, -1});
   Hit hit;
-  RayTracer(scene, geometry, options).watchedBy(&observer, geometry).traceRay(ray, 0, 0, 1, 1, hit);
+  WatchedTracer(scene, geometry, options, observer).traceRay(ray, 0, 0, 1, 1, hit);
   for (std::size_t at; (at = report.find(path)) != std::string::npos;) {
     report.replace(at, path.size(), "FILE");
   }

@@ -1,7 +1,7 @@
-// RayTracer::traceBatch against traceRay, ray by ray.
+// WaveTracer against RayTracer, ray by ray.
 #include "accel/compiled_scene.h"
 #include "check.h"
-#include "render/ray_tracer.h"
+#include "render/wave_tracer.h"
 #include "scene_text.h"
 
 namespace {
@@ -66,17 +66,22 @@ Ray eyeRay(int i, int size) {
   return {eye, normalize(target - eye)};
 }
 
+RayBatch eyeRays(int count) {
+  RayBatch batch(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) batch[std::size_t(i)].ray = eyeRay(i, 16);
+  return batch;
+}
+
 /// Compares `count` rays of a batch that starts after `bounces`.
 void compare(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
              int count, int bounces) {
   const RayTracer tracer(scene, geometry, options);
-  RayBatch batch(count);
-  for (int i = 0; i < count; ++i) batch.add(eyeRay(i, 16), 0);
-  std::vector<Hit> hits(batch.rays.size());
-  std::vector<Vec3f> colors(batch.rays.size());
-  tracer.traceBatch(batch, bounces, hits.data(), colors.data());
-  for (std::size_t i = 0; i < batch.rays.size(); ++i) {
-    Ray ray = batch.rays[i];
+  const RayBatch batch = eyeRays(count);
+  std::vector<Hit> hits(batch.size());
+  std::vector<Vec3f> colors(batch.size());
+  WaveTracer(tracer).trace(batch, bounces, hits.data(), colors.data());
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    Ray ray = batch[i].ray;
     Hit hit;
     const Vec3f expected = tracer.traceRay(ray, 0, bounces, 1, 1, hit);
     CHECK(colors[i] == expected);
@@ -122,16 +127,16 @@ TEST("a batch finds the surfaces behind those that change nothing") {
   RenderOptions options;
   options.nestedDielectrics = true;
   const RayTracer tracer(scene, *scene.getGroup(), options);
-  RayBatch batch(256);
-  for (int i = 0; i < 256; ++i) batch.add(eyeRay(i, 16), 0);
+  const WaveTracer waves(tracer);
+  const RayBatch batch = eyeRays(256);
   std::vector<Hit> hits(256), coloredHits(256);
   std::vector<Vec3f> colors(256);
-  tracer.intersectBatch(batch, hits.data());
-  tracer.traceBatch(batch, 0, coloredHits.data(), colors.data());
+  waves.intersect(batch, hits.data());
+  waves.trace(batch, 0, coloredHits.data(), colors.data());
   int passedOver = 0;
   for (std::size_t i = 0; i < 256; ++i) {
     Hit first;
-    scene.getGroup()->intersect(batch.rays[i], first, 0);
+    scene.getGroup()->intersect(batch[i].ray, first, 0);
     passedOver += first.getT() < 10;
     CHECK(hits[i].getT() > 20);  // the far side of the outer ball
     CHECK_EQUAL(coloredHits[i].getT(), hits[i].getT());

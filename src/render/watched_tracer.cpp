@@ -1,0 +1,83 @@
+// WatchedTracer: before or after each step of RayTracer the observer is told what comes of it.
+// Nothing is computed here, but for a shadow ray, which is made once more to be shown.
+#include "render/watched_tracer.h"
+
+Vec3f WatchedTracer::traceRay(Ray& ray, float tmin, int bounces, float weight,
+                              float indexOfRefraction, Hit& hit) const {
+  // Secondary rays have been told of where they began, in branch().
+  if (bounces == 0) {
+    observer_.rayBegins({RayKind::eye, ray, 0, weight, indexOfRefraction, double(tmin), {1, 1, 1}});
+  }
+  const Vec3f color = RayTracer::traceRay(ray, tmin, bounces, weight, indexOfRefraction, hit);
+  observer_.rayEnds(color);
+  return color;
+}
+
+bool WatchedTracer::meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const {
+  std::vector<Hit> passed;
+  const bool isFound = interfaces().intersect(ray, tmin, hit, interface, &passed);
+  for (const Hit& surface : passed) observer_.surfaceIsPassed(surface);
+  observer_.rayMeets(isFound ? &hit : nullptr);
+  if (isFound) observer_.interfaceIsKnown(interface);
+  return isFound;
+}
+
+Vec3f WatchedTracer::shadeComponent(const Surface& s, double share) const {
+  observer_.componentBegins(*s.hit.getMaterial(), share);
+  const Vec3f color = RayTracer::shadeComponent(s, share);
+  observer_.componentEnds(color);
+  return color;
+}
+
+Vec3d WatchedTracer::report(ColorTerm term, const Vec3d& color) const {
+  observer_.termIsKnown(term, color);
+  return color;
+}
+
+Vec3d WatchedTracer::ambient(const Surface& s) const {
+  return report(ColorTerm::ambient, RayTracer::ambient(s));
+}
+
+Vec3d WatchedTracer::lights(const Surface& s) const {
+  return report(ColorTerm::lights, RayTracer::lights(s));
+}
+
+Vec3d WatchedTracer::light(int index, const Surface& s) const {
+  LightSample light;
+  shader().sampleLight(index, s, light);
+  const bool isAsked = light.isInFront && shader().options().shadows;
+  const Vec3f visible = light.isInFront ? visibility(s, light) : Vec3f();
+  ShadowQuery query;
+  if (isAsked) shader().setShadowQuery(s, light, query);
+  observer_.lightAnswers({index, light.isInFront, isAsked, visible, light.direction,
+                          light.distance, isAsked ? &query : nullptr});
+  if (visible == Vec3f()) return Vec3d();
+  const Vec3d added = shader().reflected(s, light, visible);
+  observer_.lightAdds(added);
+  return added;
+}
+
+Vec3d WatchedTracer::mirror(const Surface& s) const {
+  TracedRay next;
+  const Outcome outcome = shader().mirrored(s, next);
+  return report(ColorTerm::mirror, branch(RayKind::mirror, s, outcome, next));
+}
+
+Vec3d WatchedTracer::transmitted(const Surface& s) const {
+  TracedRay next;
+  const Outcome outcome = shader().refracted(s, next);
+  return report(ColorTerm::transmitted, branch(RayKind::refracted, s, outcome, next));
+}
+
+/// What the ray brings that continues at `s`; or tells why there is none.
+Vec3d WatchedTracer::branch(RayKind kind, const Surface& s, Outcome outcome,
+                            TracedRay& next) const {
+  if (outcome == Outcome::none) return Vec3d();
+  if (outcome != Outcome::follows) {
+    observer_.branchEnds(kind, outcome, next.weight);
+    return Vec3d();
+  }
+  observer_.rayBegins({kind, next.ray, s.bounces + 1, next.weight, next.indexOfRefraction,
+                       next.tmin, next.factor});
+  return follow(s, next);
+}
