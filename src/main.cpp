@@ -4,7 +4,7 @@
 #include "cli/program.h"
 #include "image/output_file.h"
 #include "scene/input_error.h"
-#include "system/standard_files.h"
+#include "system/files.h"
 
 namespace {
 

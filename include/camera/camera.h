@@ -7,14 +7,16 @@ class Camera {
  public:
   virtual ~Camera() = default;
 
-  /// The ray through image point (x, y); both run over [-0.5, 0.5] along the longer side of the
-  /// image, x to the right and y up.
+  /// The ray through image point (x, y), in world space, its direction a unit vector, leaving no
+  /// surface. Both run over [-0.5, 0.5] along the longer side of the image, x to the right and y
+  /// up; points beyond (of a filter wider than a pixel) are as good.
   virtual Ray generateRay(const Vec2d& point) const = 0;
 
-  /// The least t at which the camera sees.
+  /// The least t at which the camera sees, in units of the world: surfaces nearer are not there.
   virtual double getTMin() const = 0;
 
   const Vec3d& getCenter() const { return center_; }
+  /// A unit vector.
   const Vec3d& getDirection() const { return direction_; }
 
  protected:
@@ -28,11 +30,12 @@ class Camera {
 /// Parallel rays; sees behind its centre too.
 class OrthographicCamera : public Camera {
  public:
-  /// `size` is the world length of the longer side of the image.
+  /// `size` > 0 is the length in the world of the longer side of the image.
   OrthographicCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double size)
       : Camera(center, direction, up), size_(size) {}
 
   Ray generateRay(const Vec2d& point) const override;
+  /// -infinity.
   double getTMin() const override;
 
  private:

@@ -1,4 +1,5 @@
-// BoundingBox: an axis-aligned box. It starts empty (low above high) and grows.
+// BoundingBox: an axis-aligned box, its sides included. It starts empty (low above high) and grows.
+// What a box has been extended by lies within it exactly: nothing is rounded.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -9,23 +10,25 @@ class BoundingBox {
  public:
   /// Empty: contains nothing, and does not change a box that it is added to.
   BoundingBox() : low_(kInf, kInf, kInf), high_(-kInf, -kInf, -kInf) {}
+  /// From two corners, low <= high on every axis; the order is not checked.
   BoundingBox(const Vec3d& low, const Vec3d& high) : low_(low), high_(high) {}
 
+  /// The corner of the least and of the largest coordinates; +infinity and -infinity of an empty
+  /// box.
   const Vec3d& low() const { return low_; }
   const Vec3d& high() const { return high_; }
   bool isEmpty() const { return !(low_.x() <= high_.x()); }
 
+  /// Grows until it holds `point`. A coordinate that is NaN changes nothing along its axis; an
+  /// infinite one makes the box reach as far.
   void extend(const Vec3d& point) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low_[axis] = std::min(low_[axis], point[axis]);
-      high_[axis] = std::max(high_[axis], point[axis]);
-    }
+    low_ = least(low_, point);
+    high_ = largest(high_, point);
   }
+  /// Grows until it holds `other`.
   void extend(const BoundingBox& other) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low_[axis] = std::min(low_[axis], other.low_[axis]);
-      high_[axis] = std::max(high_[axis], other.high_[axis]);
-    }
+    low_ = least(low_, other.low_);
+    high_ = largest(high_, other.high_);
   }
   /// The longest side; 0 for an empty box.
   double longestSide() const {

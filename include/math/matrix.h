@@ -10,13 +10,17 @@ class Matrix {
   /// From rows of three linear factors and one translation each.
   explicit Matrix(const double (&rows)[3][4]);
 
+  /// Moves points by `offset`; directions stay.
   static Matrix translation(const Vec3d& offset);
+  /// Multiplies each coordinate by its factor. A negative one mirrors; with a factor of 0 the map
+  /// is flat: it has no inverse.
   static Matrix scale(const Vec3d& factors);
   /// Rotation by `degrees` about `axis`, counter-clockwise for one who looks against it. The axis
   /// need not be a unit vector but must not be zero. Source: Goldman, "Matrices and
   /// Transformations", Graphics Gems, 1990.
   static Matrix rotation(const Vec3d& axis, double degrees);
 
+  /// The map that applies b first, then a. Each element is a sum in a fixed order.
   friend Matrix operator*(const Matrix& a, const Matrix& b);
 
   /// Element in row 0..2, column 0..3.

@@ -12,6 +12,7 @@ class Vec2 {
   template <class U>
   constexpr Vec2(const Vec2<U>& other) : x_(T(other.x())), y_(T(other.y())) {}
 
+  /// To the right and up, in lengths of the image's longer side, 0 in its middle.
   constexpr T x() const { return x_; }
   constexpr T y() const { return y_; }
 

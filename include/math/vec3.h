@@ -1,6 +1,7 @@
 // Vec3: a point, a direction, a normal or a colour, three components of one type.
 // Convention: Vec3f holds colours, Vec3d holds geometry. Widening is implicit, narrowing is not.
 #pragma once
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <type_traits>
@@ -67,13 +68,15 @@ class Vec3 {
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 
+/// The scalar product, summed in the order x, y, z. Products beyond the type's range overflow to
+/// infinity, and to NaN where two of them differ in sign; below it they vanish.
 template <class T>
 constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
 }
 
-/// Right-handed cross product. cross(b, a) is exactly -cross(a, b), bit for bit, which the
-/// triangle test relies on.
+/// Right-handed cross product, overflowing as dot does. cross(b, a) is exactly -cross(a, b), bit
+/// for bit, which the triangle test relies on.
 template <class T>
 constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
@@ -87,13 +90,14 @@ T length(const Vec3<T>& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// The unit vector along `a`. A zero vector gives NaNs: callers rule it out first.
+/// The unit vector along `a`, to within rounding. A zero vector, and one so short that its square
+/// vanishes, gives NaNs or infinities: callers rule it out first.
 template <class T>
 Vec3<T> normalize(const Vec3<T>& a) {
   return a / length(a);
 }
 
-/// The largest absolute component; 0 only for the zero vector.
+/// The largest absolute component; 0 only for the zero vector. NaNs are passed over.
 template <class T>
 constexpr T maxAbs(const Vec3<T>& a) {
   T m = 0;
@@ -102,6 +106,16 @@ constexpr T maxAbs(const Vec3<T>& a) {
     if (c > m) m = c;
   }
   return m;
+}
+
+/// The smaller, and the larger, of each pair of components. Where one is NaN, that of `a`.
+template <class T>
+constexpr Vec3<T> least(const Vec3<T>& a, const Vec3<T>& b) {
+  return {std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::min(a.z(), b.z())};
+}
+template <class T>
+constexpr Vec3<T> largest(const Vec3<T>& a, const Vec3<T>& b) {
+  return {std::max(a.x(), b.x()), std::max(a.y(), b.y()), std::max(a.z(), b.z())};
 }
 
 /// True when any component is greater than 0: such a colour reflects or lets something through.

@@ -28,7 +28,3 @@ class MaterialColors {
   const SceneParser& scene_;
   std::unordered_map<const Material*, std::size_t> numbers_;  // only looked up
 };
-
-/// The name of a material's kind as scene files write it, e.g. "PhongMaterial"; "material" where it
-/// is none of them.
-const char* kindOf(const Material& material);

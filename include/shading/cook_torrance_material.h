@@ -10,9 +10,6 @@ class CookTorranceMaterial : public Material {
   /// How steep the mirrors are: Beckmann falls off fast, GGX has a bright middle and long tails.
   enum class Distribution { ggx, beckmann };
 
-  /// A roughness below this counts as this much: directions to lights are in single precision.
-  static constexpr double kLeastRoughness = 1e-4;
-
   /// roughness > 0, without unit: of Beckmann the root mean square slope m, of GGX its alpha.
   CookTorranceMaterial(const Vec3f& diffuseColor, const Fresnel& fresnel, float roughness,
                        Distribution distribution, const Vec3f& transparentColor,
@@ -38,6 +35,7 @@ class CookTorranceMaterial : public Material {
   /// Surfaces", 2007.
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
               const Vec3f& lightColor) const override;
+  const char* getKind() const override { return "CookTorranceMaterial"; }
 
  private:
   Vec3d highlight(const Vec3d& n, const Vec3d& l, const Vec3d& toEye) const;

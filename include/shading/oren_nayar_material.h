@@ -12,6 +12,7 @@ class OrenNayarMaterial : public Material {
   OrenNayarMaterial(const Vec3f& diffuseColor, float roughness, const Vec3f& transparentColor,
                     const Vec3f& reflectiveColor, float indexOfRefraction);
 
+  /// In radians, as it was given.
   float getRoughness() const { return roughness_; }
 
   /// lightColor * pi f (n.l), with u the way back along the ray and
@@ -25,6 +26,7 @@ class OrenNayarMaterial : public Material {
   /// "Generalization of Lambert's Reflectance Model", 1994 (the qualitative model).
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
               const Vec3f& lightColor) const override;
+  const char* getKind() const override { return "OrenNayarMaterial"; }
 
  private:
   float roughness_;

@@ -7,9 +7,6 @@
 
 class WardMaterial : public Material {
  public:
-  /// A roughness below this counts as this much: directions to lights are in single precision.
-  static constexpr double kLeastRoughness = 1e-4;
-
   /// How rough the surface is, and which way it is brushed. No units.
   struct Grain {
     float roughnessX = 0.2f;    ///< > 0: standard deviation of the slope along `tangent`
@@ -22,6 +19,7 @@ class WardMaterial : public Material {
                const Vec3f& transparentColor, const Vec3f& reflectiveColor,
                float indexOfRefraction);
 
+  /// RGB factors of the highlight; where black there is none.
   Vec3f getSpecularColor() const { return specularColor_; }
   /// With a unit tangent.
   const Grain& getGrain() const { return grain_; }
@@ -40,6 +38,7 @@ class WardMaterial : public Material {
   /// Duer, "A New Ward BRDF Model with Bounded Albedo", 2010.
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
               const Vec3f& lightColor) const override;
+  const char* getKind() const override { return "WardMaterial"; }
 
  private:
   double highlight(const Vec3d& n, const Vec3d& halfway) const;

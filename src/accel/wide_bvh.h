@@ -6,7 +6,7 @@
 #pragma once
 #include <cstdint>
 
-#include "system/page_buffer.h"
+#include "system/memory.h"
 
 namespace accel {
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "image/bytes.h"
-#include "system/open_file.h"
+#include "system/files.h"
 #include "system/sha256.h"
 
 class CheckpointFile {

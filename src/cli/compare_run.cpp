@@ -16,7 +16,7 @@
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "scene/whole_file.h"
-#include "system/open_file.h"
+#include "system/files.h"
 #include "system/worker_threads.h"
 
 namespace {

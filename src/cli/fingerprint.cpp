@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "cli/option_table.h"
-#include "system/open_file.h"
+#include "system/files.h"
 #include "system/worker_threads.h"
 
 namespace {

@@ -13,7 +13,7 @@
 #include "image/picture_file.h"
 #include "image/tga.h"
 #include "scene/input_error.h"
-#include "system/open_file.h"
+#include "system/files.h"
 #include "system/worker_threads.h"
 
 namespace {

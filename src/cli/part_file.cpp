@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "scene/input_error.h"
-#include "system/open_file.h"
+#include "system/files.h"
 
 namespace {
 

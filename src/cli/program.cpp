@@ -11,7 +11,7 @@
 #include "cli/out_of_memory.h"
 #include "cli/render_run.h"
 #include "cli/scene_input.h"
-#include "system/memory_limit.h"
+#include "system/memory.h"
 #include "system/worker_threads.h"
 
 namespace {

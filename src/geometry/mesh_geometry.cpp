@@ -16,13 +16,6 @@ bool positionLess(const Vec3f& a, const Vec3f& b) {
   return false;
 }
 
-Vec3f least(const Vec3f& a, const Vec3f& b) {
-  return {std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::min(a.z(), b.z())};
-}
-Vec3f largest(const Vec3f& a, const Vec3f& b) {
-  return {std::max(a.x(), b.x()), std::max(a.y(), b.y()), std::max(a.z(), b.z())};
-}
-
 /// For each vertex the number of its position, equal positions having equal numbers.
 std::vector<std::uint32_t> numberPositions(const std::vector<Vec3f>& vertices) {
   std::vector<std::uint32_t> order(vertices.size());

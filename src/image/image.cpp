@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "image/float_image.h"
-#include "system/large_pages.h"
+#include "system/memory.h"
 
 namespace {
 

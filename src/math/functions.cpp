@@ -1,6 +1,15 @@
 // pow, sin, cos, tan, exp, log from + - * / and the bits of a double, so that they are the same on
 // every machine. Each reduces its argument to a small range and sums the Taylor series there, with
-// as many terms as double can tell apart.
+// as many terms as double can tell apart:
+//
+//   sin, cos  x = n pi/2 + r, |r| <= pi/4; n modulo 4 says which series of r, and its sign
+//   exp       x = n ln 2 + r, |r| <= ln 2 / 2; e^x = 2^n e^r
+//   log       x = 2^k m, m in [sqrt(1/2), sqrt(2)); ln x = k ln 2 + ln m
+//   pow       e^(y ln x)
+//
+// The reductions subtract numbers that nearly cancel. So that no digits are lost, ln 2 and pi/2 are
+// split into a few doubles of few bits each, whose products with n are exact, subtracted one after
+// the other (Cody and Waite, "Software Manual for the Elementary Functions", 1980).
 #include "math/functions.h"
 
 #include <cmath>
@@ -41,6 +50,8 @@ struct Quadrant {
   double rest;
 };
 
+/// Beyond 1e5 the products with n would no longer be exact, so whole turns are taken off first; 2
+/// pi as a double is off by 1e-16 of itself, which is the error stated in the header.
 Quadrant reduceRadians(double x) {
   if (std::fabs(x) > 1e5) x = std::fmod(x, 4 * kHalfPi1 + (4 * kHalfPi2 + 4 * kHalfPi3));
   const double n = std::floor(x * (2 / kPi) + 0.5);
@@ -48,37 +59,41 @@ Quadrant reduceRadians(double x) {
   return {int(n) & 3, rest};
 }
 
+/// Whole turns and quarters of degrees are exact, so only `rest` is rounded, and is 0 at multiples
+/// of 90.
 Quadrant reduceDegrees(double degrees) {
   const double within = std::fmod(degrees, 360);
   const double n = std::floor(within / 90 + 0.5);
   return {int(n) & 3, radians(within - 90 * n)};
 }
 
+/// c[0] z^(count - 1) + ... + c[count - 1], by Horner's rule: the smallest terms first.
+template <int count>
+double polynomial(const double (&c)[count], double z) {
+  double sum = c[0];
+  for (int i = 1; i < count; ++i) sum = sum * z + c[i];
+  return sum;
+}
+
+/// r - r^3/3! + r^5/5! ... up to r^17.
 double sineSeries(double r) {
+  static constexpr double kTerms[] = {
+      1 / 355687428096000.0, -1 / 1307674368000.0, 1 / 6227020800.0, -1 / 39916800.0,
+      1 / 362880.0,          -1 / 5040.0,          1 / 120.0,        -1 / 6.0};
   const double z = r * r;
-  double sum = 1 / 355687428096000.0;
-  sum = sum * z - 1 / 1307674368000.0;
-  sum = sum * z + 1 / 6227020800.0;
-  sum = sum * z - 1 / 39916800.0;
-  sum = sum * z + 1 / 362880.0;
-  sum = sum * z - 1 / 5040.0;
-  sum = sum * z + 1 / 120.0;
-  sum = sum * z - 1 / 6.0;
-  return r + r * (z * sum);
+  return r + r * (z * polynomial(kTerms, z));
 }
 
+/// 1 - r^2/2 + r^4/4! ... up to r^16.
 double cosineSeries(double r) {
+  static constexpr double kTerms[] = {
+      1 / 20922789888000.0, -1 / 87178291200.0, 1 / 479001600.0, -1 / 3628800.0,
+      1 / 40320.0,          -1 / 720.0,         1 / 24.0};
   const double z = r * r;
-  double sum = 1 / 20922789888000.0;
-  sum = sum * z - 1 / 87178291200.0;
-  sum = sum * z + 1 / 479001600.0;
-  sum = sum * z - 1 / 3628800.0;
-  sum = sum * z + 1 / 40320.0;
-  sum = sum * z - 1 / 720.0;
-  sum = sum * z + 1 / 24.0;
-  return 1 - (z / 2 - z * z * sum);
+  return 1 - (z / 2 - z * z * polynomial(kTerms, z));
 }
 
+/// sin of a quarter turn more is cos, of half a turn more -sin.
 double sineOf(const Quadrant& q) {
   const double value = (q.turns & 1) != 0 ? cosineSeries(q.rest) : sineSeries(q.rest);
   return (q.turns & 2) != 0 ? -value : value;
@@ -93,6 +108,7 @@ double log(double x) {
   if (x == 0) return -kInf;
   if (x == kInf) return kInf;
   int k = 0;
+  // A subnormal has no leading one: make it normal.
   if (x < 0x1p-1022) {
     x *= 0x1p54;
     k = -54;
@@ -115,19 +131,11 @@ double exp(double x) {
   if (x < -745.14) return 0;
   const double n = std::floor(x * 0x1.71547652b82fep+0 + 0.5);
   const double r = (x - n * kLn2High) - n * kLn2Low;
-  double sum = 1 / 6227020800.0;
-  sum = sum * r + 1 / 479001600.0;
-  sum = sum * r + 1 / 39916800.0;
-  sum = sum * r + 1 / 3628800.0;
-  sum = sum * r + 1 / 362880.0;
-  sum = sum * r + 1 / 40320.0;
-  sum = sum * r + 1 / 5040.0;
-  sum = sum * r + 1 / 720.0;
-  sum = sum * r + 1 / 120.0;
-  sum = sum * r + 1 / 24.0;
-  sum = sum * r + 1 / 6.0;
-  sum = sum * r + 1 / 2.0;
-  const double value = 1 + (r + r * r * sum);
+  // e^r = 1 + r + r^2/2! ... up to r^13.
+  static constexpr double kTerms[] = {
+      1 / 6227020800.0, 1 / 479001600.0, 1 / 39916800.0, 1 / 3628800.0, 1 / 362880.0, 1 / 40320.0,
+      1 / 5040.0,       1 / 720.0,       1 / 120.0,      1 / 24.0,      1 / 6.0,      1 / 2.0};
+  const double value = 1 + (r + r * r * polynomial(kTerms, r));
   // Two factors, since 2^n itself may be out of range where the result is not.
   const int half = int(n) / 2;
   return value * powerOfTwo(half) * powerOfTwo(int(n) - half);

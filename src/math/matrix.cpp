@@ -1,4 +1,8 @@
 // Matrix: products, rotations and the inverse.
+//
+// The inverse is taken by Cramer's rule: with columns a, b, c its rows are b x c, c x a and a x b,
+// over the determinant a . (b x c). For three by three this is short, and takes the axes alike; a
+// determinant of 0 shows in rows that are not finite. The translation o becomes -(row . o).
 #include "math/matrix.h"
 
 #include <algorithm>
@@ -21,6 +25,7 @@ Matrix Matrix::scale(const Vec3d& factors) {
 }
 
 Matrix Matrix::rotation(const Vec3d& axis, double degrees) {
+  // Divided first, so that the square of no axis is out of range.
   const Vec3d a = normalize(axis / maxAbs(axis));
   const double c = math::cosDegrees(degrees), s = math::sinDegrees(degrees), t = 1 - c;
   const double x = a.x(), y = a.y(), z = a.z();
@@ -46,7 +51,6 @@ bool Matrix::inverse(Matrix& result) const {
                             {m_[0][1], m_[1][1], m_[2][1]},
                             {m_[0][2], m_[1][2], m_[2][2]}};
   const Vec3d offset(m_[0][3], m_[1][3], m_[2][3]);
-  // Row i of the inverse is the cross product of the two other columns over the determinant.
   const Vec3d cofactors[3] = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
                               cross(columns[0], columns[1])};
   const double determinant = dot(columns[0], cofactors[0]);

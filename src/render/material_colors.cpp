@@ -2,15 +2,6 @@
 // and blue in turn, and each component takes 0, 255, 127, 191, 63 ..., always the middle of a gap.
 #include "render/material_colors.h"
 
-#include "shading/blinn_phong_material.h"
-#include "shading/checkerboard.h"
-#include "shading/cook_torrance_material.h"
-#include "shading/noise.h"
-#include "shading/oren_nayar_material.h"
-#include "shading/phong_material.h"
-#include "shading/ward_material.h"
-#include "shading/wave_texture.h"
-
 namespace {
 
 constexpr std::size_t kColors = (1 << 24) - 1;
@@ -35,11 +26,6 @@ std::uint8_t componentOf(unsigned level) {
 
 std::uint32_t packed(Rgb8 color) {
   return std::uint32_t(color.r) << 16 | std::uint32_t(color.g) << 8 | color.b;
-}
-
-template <class T>
-bool is(const Material& material) {
-  return dynamic_cast<const T*>(&material) != nullptr;
 }
 
 }  // namespace
@@ -73,20 +59,8 @@ std::string MaterialColors::legend(const Image& picture) const {
     if (found == pixels.end()) continue;
     lines += "material " + std::to_string(i) + ": " + std::to_string(color.r) + " " +
              std::to_string(color.g) + " " + std::to_string(color.b) + ", " +
-             kindOf(*scene_.getMaterial(i)) + ", " + std::to_string(found->second) +
+             scene_.getMaterial(i)->getKind() + ", " + std::to_string(found->second) +
              (found->second == 1 ? " pixel\n" : " pixels\n");
   }
   return lines;
-}
-
-const char* kindOf(const Material& material) {
-  if (is<BlinnPhongMaterial>(material)) return "BlinnPhongMaterial";
-  if (is<PhongMaterial>(material)) return "PhongMaterial";
-  if (is<CookTorranceMaterial>(material)) return "CookTorranceMaterial";
-  if (is<WardMaterial>(material)) return "WardMaterial";
-  if (is<OrenNayarMaterial>(material)) return "OrenNayarMaterial";
-  if (is<Checkerboard>(material)) return "Checkerboard";
-  if (is<Noise>(material)) return "Noise";
-  if (is<Marble>(material)) return "Marble";
-  return is<Wood>(material) ? "Wood" : "material";
 }

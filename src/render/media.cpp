@@ -146,7 +146,7 @@ float Media::Medium::indexAt(const Vec3d& point) const {
   const SolidTexture* const texture = material->asTexture();
   if (!texture) return material->getIndexOfRefraction();
   double sum = 0, weights = 0;
-  for (const WeightedMaterial& part : texture->partsAt(point)) {
+  for (const WeightedMaterial& part : texture->materialsAt(point)) {
     if (!anyPositive(part.material->getTransparentColor())) continue;
     sum += part.weight * double(part.material->getIndexOfRefraction());
     weights += part.weight;

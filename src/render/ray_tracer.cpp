@@ -51,7 +51,7 @@ Vec3f RayTracer::shade(const Surface& s) const {
 /// counts in the weights of rays that continue, so that they end where a component is faint.
 Vec3f RayTracer::mixture(const SolidTexture& texture, const Surface& s) const {
   Vec3d sum;
-  for (const WeightedMaterial& part : texture.partsAt(s.hit.getIntersectionPoint())) {
+  for (const WeightedMaterial& part : texture.materialsAt(s.hit.getIntersectionPoint())) {
     const Hit hit = s.hit.withMaterial(part.material);
     const float weight = s.weight * float(part.weight);
     const Surface component = {s.ray, hit, s.interface, s.bounces, weight, s.indexOfRefraction};

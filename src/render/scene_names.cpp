@@ -2,7 +2,6 @@
 #include "render/scene_names.h"
 
 #include "geometry/triangle_mesh.h"
-#include "render/material_colors.h"
 
 SceneNames::SceneNames(const SceneParser& scene, const ObjectPlaces& places)
     : scene_(scene), places_(places) {
@@ -20,7 +19,7 @@ std::string SceneNames::ofObject(const Object3D* object, std::optional<std::uint
 std::string SceneNames::ofMaterial(const Material& material) const {
   const auto found = materials_.find(&material);
   if (found == materials_.end()) return "a material that is not in the scene file";
-  return "material " + std::to_string(found->second) + ", " + kindOf(material);
+  return "material " + std::to_string(found->second) + ", " + material.getKind();
 }
 
 std::string SceneNames::ofLight(int index) const {

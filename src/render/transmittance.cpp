@@ -126,7 +126,7 @@ Vec3f transparencyAt(const Material& material, const Vec3d& point) {
   const SolidTexture* const texture = material.asTexture();
   if (!texture) return material.getTransparentColor();
   Vec3d sum;
-  for (const WeightedMaterial& part : texture->partsAt(point)) {
+  for (const WeightedMaterial& part : texture->materialsAt(point)) {
     sum += part.weight * Vec3d(part.material->getTransparentColor());
   }
   return Vec3f(sum);

@@ -94,7 +94,7 @@ class WaveTracer::SurfaceBatch {
 
   void addComponents(const SolidTexture& texture, const Surface& s, std::size_t ray) {
     sums_.resize(count_);
-    for (const WeightedMaterial& part : texture.partsAt(s.hit.getIntersectionPoint())) {
+    for (const WeightedMaterial& part : texture.materialsAt(s.hit.getIntersectionPoint())) {
       if (isFull()) flush();
       componentHits_.push_back(s.hit.withMaterial(part.material));
       const float weight = s.weight * float(part.weight);

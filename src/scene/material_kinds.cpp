@@ -3,7 +3,6 @@
 
 #include "scene/directions.h"
 #include "scene/scene_builder.h"
-#include "shading/blinn_phong_material.h"
 #include "shading/cook_torrance_material.h"
 #include "shading/oren_nayar_material.h"
 #include "shading/phong_material.h"

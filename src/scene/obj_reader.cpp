@@ -8,8 +8,8 @@
 
 #include "scene/obj_part.h"
 #include "scene/statement_chunks.h"
-#include "system/large_pages.h"
-#include "system/open_file.h"
+#include "system/files.h"
+#include "system/memory.h"
 #include "system/worker_threads.h"
 
 namespace {

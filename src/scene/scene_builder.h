@@ -46,7 +46,7 @@ class SceneBuilder {
   /// What a solid texture's block says.
   struct TextureWords {
     Matrix toTexture;
-    std::vector<SolidTexture::Part> parts;
+    std::vector<SolidTexture::Component> parts;
     int octaves = 1;
     double size = 1, frequency = 0, amplitude = 0;
     bool hasTransform = false, areIndicesGood = true;

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "scene/obj_cursor.h"
-#include "system/open_file.h"
+#include "system/files.h"
 
 namespace {
 

@@ -1,13 +1,11 @@
 // Solid textures of a scene file: where they lie, what they are made of, and their numbers.
 #include <cmath>
 
-#include "math/noise.h"
+#include "math/perlin_noise.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_words.h"
-#include "shading/checkerboard.h"
-#include "shading/noise.h"
 #include "shading/phong_material.h"
-#include "shading/wave_texture.h"
+#include "shading/solid_texture.h"
 
 namespace {
 
@@ -56,7 +54,7 @@ std::unique_ptr<Material> SceneBuilder::readTexture() {
 std::unique_ptr<Material> SceneBuilder::makeTexture(std::string_view owner,
                                                     const TextureWords& words) {
   const Matrix& matrix = words.toTexture;
-  const SolidTexture::Part &first = words.parts[0], &second = words.parts[1];
+  const SolidTexture::Component &first = words.parts[0], &second = words.parts[1];
   if (owner == "Checkerboard") {
     return std::make_unique<Checkerboard>(matrix, first, second, words.size);
   }

@@ -11,8 +11,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "system/large_pages.h"
-#include "system/open_file.h"
+#include "system/files.h"
+#include "system/memory.h"
 
 namespace {
 

@@ -1,18 +1,18 @@
 // CookTorranceMaterial: the local term of the colour sum, for one light.
+//
+// The surface is taken for tiny mirrors of all slopes. Of those that face halfway between light and
+// eye (D says how many) each mirrors F of the light, and a part G of them is neither shaded nor
+// hidden by others: the highlight is D F G / (4 (n.l) (n.u)). What the mirrors let in is scattered
+// below them and comes out as diffuse light, (1 - F) on the way in and again on the way out.
+//
+// A BRDF is multiplied by n.l for the light that falls on the surface. In the highlight that
+// cancels against the n.l below, so `visible` holds G / (4 (n.u)), which stays finite as n.l -> 0.
 #include "shading/cook_torrance_material.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "math/functions.h"
-
-namespace {
-
-/// Light and eye together at least so high, or there is no highlight: at grazing angles it grows as
-/// 1 / (roughness^2 height), up to 1e36 here, which a float can hold.
-constexpr double kLeastHeight = 1e-28;
-
-}  // namespace
 
 CookTorranceMaterial::CookTorranceMaterial(const Vec3f& diffuseColor, const Fresnel& fresnel,
                                            float roughness, Distribution distribution,
@@ -42,6 +42,8 @@ Vec3d CookTorranceMaterial::highlight(const Vec3d& n, const Vec3d& l, const Vec3
   const double squared = dot(halfway, halfway), rise = dot(n, halfway);
   const double lightCosine = dot(n, l), eyeCosine = dot(n, toEye);
   if (!(eyeCosine > 0) || !(rise > kLeastHeight)) return Vec3d();
+  // h = halfway / size. The sine of the angle between n and h comes from the cross product: from
+  // the cosine it would have lost its digits where the highlight is brightest.
   const Vec3d sideways = cross(n, halfway);
   const double size = std::sqrt(squared);
   const double slant = size / 2;  // u.h: l and u are unit vectors

@@ -1,4 +1,9 @@
 // OrenNayarMaterial: the local term of the colour sum, for one light.
+//
+// The surface is taken for V-shaped grooves whose sides are diffuse. From the light's own direction
+// the sides that are seen are those that are lit, so the edge of a ball stays bright; seen from the
+// other side they are dark. A is what all directions have in common, B the difference, which goes
+// with cos p, the angle between light and eye as seen from above.
 #include "shading/oren_nayar_material.h"
 
 #include <algorithm>
@@ -9,6 +14,7 @@ OrenNayarMaterial::OrenNayarMaterial(const Vec3f& diffuseColor, float roughness,
                                      float indexOfRefraction)
     : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
       roughness_(roughness) {
+  // s^2, with the constants of the qualitative model.
   const double squared = double(roughness) * roughness;
   const double a = 1 - squared / (2 * (squared + 0.33)), b = 0.45 * squared / (squared + 0.09);
   const double most = std::max(1.0, a + b / 2);

@@ -1,28 +1,39 @@
-// SolidTexture: from a texture of textures to plain materials with weights.
+// SolidTexture: from a texture of textures to plain materials with weights; and the patterns.
+//
+// A texture is a node with two children, its components; many textures may share a child, so the
+// whole is a graph without circles, and counting its paths would take exponential time. Instead
+// every material waits until all that refers to it has been looked at. Since a texture refers only
+// to materials of earlier places, taking the waiting one of the latest place does just that:
+//
+//   1. the texture itself waits, with weight 1;
+//   2. the latest is taken out; a plain material goes to the answer, a texture passes w of its
+//      weight on to its second component and 1 - w to its first, where their weights add up;
+//   3. until none waits.
 #include "shading/solid_texture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 
-namespace {
+#include "math/functions.h"
+#include "math/perlin_noise.h"
 
-Vec3f largest(const Vec3f& a, const Vec3f& b) {
-  return {std::max(a.r(), b.r()), std::max(a.g(), b.g()), std::max(a.b(), b.b())};
-}
+namespace {
 
 /// Materials that wait for their turn, by place.
 using Waiting = std::map<std::size_t, WeightedMaterial>;
 
-void add(Waiting& waiting, const SolidTexture::Part& part, double weight) {
-  if (weight > 0)
-    waiting.try_emplace(part.place, WeightedMaterial{part.material, 0}).first->second.weight +=
-        weight;
+/// A weight of 0, as one that has become too small for a double, adds nobody to wait.
+void add(Waiting& waiting, const SolidTexture::Component& component, double weight) {
+  if (!(weight > 0)) return;
+  const WeightedMaterial none{component.material, 0};
+  waiting.try_emplace(component.place, none).first->second.weight += weight;
 }
 
 }  // namespace
 
-SolidTexture::SolidTexture(const Matrix& toTexture, const Part& first, const Part& second)
+SolidTexture::SolidTexture(const Matrix& toTexture, const Component& first, const Component& second)
     : Material(
           largest(first.material->getDiffuseColor(), second.material->getDiffuseColor()),
           largest(first.material->getTransparentColor(), second.material->getTransparentColor()),
@@ -34,10 +45,8 @@ SolidTexture::SolidTexture(const Matrix& toTexture, const Part& first, const Par
   setPriority(first.material->getPriority());
 }
 
-/// In descending order of place everything that refers to a material comes before it, so its weight
-/// is complete when its turn comes.
-std::vector<WeightedMaterial> SolidTexture::partsAt(const Vec3d& point) const {
-  std::vector<WeightedMaterial> parts;
+std::vector<WeightedMaterial> SolidTexture::materialsAt(const Vec3d& point) const {
+  std::vector<WeightedMaterial> plain;
   Waiting waiting;
   WeightedMaterial current{this, 1};
   for (;;) {
@@ -46,16 +55,16 @@ std::vector<WeightedMaterial> SolidTexture::partsAt(const Vec3d& point) const {
       add(waiting, texture->first_, current.weight * (1 - second));
       add(waiting, texture->second_, current.weight * second);
     } else {
-      parts.push_back(current);
+      plain.push_back(current);
     }
-    if (waiting.empty()) return parts;
+    if (waiting.empty()) return plain;
     const auto latest = std::prev(waiting.end());
     current = latest->second;
     waiting.erase(latest);
   }
 }
 
-/// Of two equal parts the first has all, exactly.
+/// Of two equal components the first has all, exactly: w + (1 - w) may round to something else.
 double SolidTexture::clampedWeight(const Vec3d& point) const {
   if (first_.material == second_.material) return 0;
   const double weight = weightOfSecond(toTexture_.transformPoint(point));
@@ -65,8 +74,28 @@ double SolidTexture::clampedWeight(const Vec3d& point) const {
 Vec3f SolidTexture::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
                           const Vec3f& lightColor) const {
   Vec3d sum;
-  for (const WeightedMaterial& part : partsAt(hit.getIntersectionPoint())) {
-    sum += part.weight * Vec3d(part.material->Shade(ray, hit, dirToLight, lightColor));
+  for (const auto& [material, weight] : materialsAt(hit.getIntersectionPoint())) {
+    sum += weight * Vec3d(material->Shade(ray, hit, dirToLight, lightColor));
   }
   return Vec3f(sum);
 }
+
+/// A sum of whole numbers is odd where an odd number of them is, so the lowest bit of each will do,
+/// however large they are.
+double Checkerboard::weightOfSecond(const Vec3d& p) const {
+  int parity = 0;
+  for (int axis = 0; axis < 3; ++axis) parity ^= math::floorBits(p[axis] / size_, 1);
+  return parity;
+}
+
+double Noise::weightOfSecond(const Vec3d& p) const {
+  return (1 + math::fractalNoise(p, octaves_)) / 2;
+}
+
+double WaveTexture::weightOfSecond(const Vec3d& p) const {
+  const double angle = frequency_ * distanceAt(p) + amplitude_ * math::fractalNoise(p, octaves_);
+  return (1 + math::sin(angle)) / 2;
+}
+
+double Marble::distanceAt(const Vec3d& p) const { return p.x(); }
+double Wood::distanceAt(const Vec3d& p) const { return std::sqrt(p.x() * p.x() + p.z() * p.z()); }

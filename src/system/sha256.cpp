@@ -1,4 +1,8 @@
-// SHA-256, by the letters of the standard.
+// SHA-256, by the letters of the standard: w, a to h and the constants are named as there.
+//
+// The content is taken in blocks of 64 bytes. Each is spread to 64 words, which in 64 rounds are
+// stirred into a copy of the eight words of state; the copy is then added to the state. The digest
+// is the state after the last block, which ends with the content's length.
 #include "system/sha256.h"
 
 #include <algorithm>

@@ -1,4 +1,13 @@
 // Worker threads on POSIX threads: std::thread cannot be given a stack size.
+//
+// Work is a number of calls that are told apart by an index. All threads share one counter: each
+// takes the next index from it, makes that call, and comes back for another, until the indices are
+// used up. So nobody waits for a slow neighbour, and where the system starts fewer threads than
+// were asked for, those it starts make all calls. A thread never lets an exception out, which would
+// end the process: the first is kept until all have ended and thrown again in the caller.
+//
+// Threads live as long as one such call. To start one takes some tens of microseconds, the work
+// milliseconds; a pool that waits between calls would have to be owned, and stopped, by somebody.
 #include "system/worker_threads.h"
 
 #include <pthread.h>
@@ -15,6 +24,7 @@
 
 namespace {
 
+/// What the threads of one call of runOnThreads share; it lives on the caller's stack.
 struct SharedWork {
   const std::function<void(int)>& work;
   const int count;
@@ -71,6 +81,7 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
   const StackSize stack(stackBytes);
   std::vector<pthread_t> started;
   started.reserve(std::size_t(threads));
+  // Join before anything is thrown: the threads use what stands here.
   int error = 0;
   for (int i = 0; i < threads && error == 0; ++i) {
     pthread_t thread;
@@ -88,6 +99,8 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
 void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
                     const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
+  // Each thread is one call of runOnThreads, which makes many of ours: the counter of indices is
+  // another one, so that an exception can use it up.
   const auto takeCalls = [&](int) {
     try {
       for (std::size_t i; (i = next++) < count;) work(i);

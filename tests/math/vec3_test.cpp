@@ -92,6 +92,15 @@ TEST("the largest absolute component counts negatives") {
   CHECK_EQUAL(maxAbs(Vec3d()), 0.0);
 }
 
+TEST("the smaller and the larger of two vectors are taken component by component") {
+  CHECK_EQUAL(least(Vec3d(1, -7, 3), Vec3d(0, 2, 3)), Vec3d(0, -7, 3));
+  CHECK_EQUAL(largest(Vec3d(1, -7, 3), Vec3d(0, 2, 3)), Vec3d(1, 2, 3));
+  // What a box has grown to is not lost by a point that is no number.
+  const Vec3d none(std::nan(""), std::nan(""), std::nan(""));
+  CHECK_EQUAL(least(Vec3d(1, 2, 3), none), Vec3d(1, 2, 3));
+  CHECK_EQUAL(largest(Vec3d(1, 2, 3), none), Vec3d(1, 2, 3));
+}
+
 TEST("a colour is positive where any component is above zero") {
   CHECK(anyPositive(Vec3f(0.1f, 0, 0)));
   CHECK(anyPositive(Vec3f(0, 0.1f, 0)));

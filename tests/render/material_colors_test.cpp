@@ -100,5 +100,5 @@ TEST("each kind of material has the name that scene files write") {
       "Noise" +
       parts + " } Marble" + parts + " frequency 1 amplitude 1 } Wood" + parts +
       " frequency 1 amplitude 1 } }\n");
-  for (int i = 0; i < 9; ++i) CHECK_EQUAL(std::string(kindOf(*scene.getMaterial(i))), kinds[i]);
+  for (int i = 0; i < 9; ++i) CHECK_EQUAL(std::string(scene.getMaterial(i)->getKind()), kinds[i]);
 }

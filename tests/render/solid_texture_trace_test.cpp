@@ -75,7 +75,7 @@ TEST("a texture's colour is the mean of the colours in each plain material, by w
       const Ray ray(eye, normalize(target - eye));
       if (!textured.getGroup()->intersect(ray, hit, 0) || !hit.getMaterial()->asTexture()) continue;
       Vec3d expected;
-      const auto parts = hit.getMaterial()->asTexture()->partsAt(hit.getIntersectionPoint());
+      const auto parts = hit.getMaterial()->asTexture()->materialsAt(hit.getIntersectionPoint());
       for (const WeightedMaterial& part : parts) {
         int kind = 0;
         while (textured.getMaterial(kind) != part.material) ++kind;
@@ -104,7 +104,7 @@ TEST("a checkerboard's cell has the very bits of its material") {
     Hit hit;
     board.getGroup()->intersect(Ray(eye, normalize(target - eye)), hit, 0);
     if (hit.getMaterial() != board.getMaterial(3)) continue;
-    const auto parts = hit.getMaterial()->asTexture()->partsAt(hit.getIntersectionPoint());
+    const auto parts = hit.getMaterial()->asTexture()->materialsAt(hit.getIntersectionPoint());
     const bool isGlass = parts[0].material == board.getMaterial(2);
     ++count[isGlass];
     const RenderOptions options = scene_text::bouncing(3);

@@ -1,7 +1,6 @@
 // The kinds of material as a scene file gives them: fields, defaults, places and mistakes.
 #include "geometry/sphere.h"
 #include "scene/scene_files.h"
-#include "shading/blinn_phong_material.h"
 #include "shading/cook_torrance_material.h"
 #include "shading/oren_nayar_material.h"
 #include "shading/phong_material.h"

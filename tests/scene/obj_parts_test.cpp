@@ -6,7 +6,7 @@
 #include "scene/obj_reader.h"
 #include "scene/scene_files.h"
 #include "scene/statement_chunks.h"
-#include "system/open_file.h"
+#include "system/files.h"
 
 namespace {
 

@@ -18,7 +18,7 @@ std::string with(const std::string& texture, const std::string& objects = "Mater
 
 /// The weight of material `index` of a scene in the texture `material` at a point.
 double weightIn(const SceneParser& scene, const Material& material, int index, const Vec3d& point) {
-  for (const WeightedMaterial& part : material.asTexture()->partsAt(point)) {
+  for (const WeightedMaterial& part : material.asTexture()->materialsAt(point)) {
     if (part.material == scene.getMaterial(index)) return part.weight;
   }
   return 0;

@@ -1,6 +1,4 @@
 // BlinnPhongMaterial: each term of its answer to one light.
-#include "shading/blinn_phong_material.h"
-
 #include "random.h"
 #include "shading/hemisphere.h"
 #include "shading/phong_material.h"

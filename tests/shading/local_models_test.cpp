@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "random.h"
-#include "shading/blinn_phong_material.h"
 #include "shading/cook_torrance_material.h"
 #include "shading/hemisphere.h"
 #include "shading/oren_nayar_material.h"
+#include "shading/phong_material.h"
 #include "shading/ward_material.h"
 #include "vectors.h"
 

@@ -7,17 +7,14 @@
 
 #include "check.h"
 #include "math/functions.h"
-#include "math/noise.h"
+#include "math/perlin_noise.h"
 #include "random.h"
-#include "shading/checkerboard.h"
-#include "shading/noise.h"
 #include "shading/phong_material.h"
-#include "shading/wave_texture.h"
 #include "vectors.h"
 
 namespace {
 
-using Part = SolidTexture::Part;
+using Component = SolidTexture::Component;
 
 PhongMaterial plain(const Vec3f& diffuse) {
   return PhongMaterial(diffuse, Vec3f(), 1, Vec3f(), Vec3f(), 1);
@@ -26,13 +23,13 @@ PhongMaterial plain(const Vec3f& diffuse) {
 /// Two materials to make textures of.
 struct Pair {
   PhongMaterial black = plain({0, 0, 0}), white = plain({1, 1, 1});
-  Part first{&black, 0}, second{&white, 1};
+  Component first{&black, 0}, second{&white, 1};
 };
 
 /// The weight of a material in a texture; 0 where it has no part.
 double weightOf(const Material& material, const SolidTexture& texture, const Vec3d& point) {
   double weight = 0;
-  for (const WeightedMaterial& part : texture.partsAt(point)) {
+  for (const WeightedMaterial& part : texture.materialsAt(point)) {
     if (part.material == &material) weight += part.weight;
   }
   return weight;
@@ -44,7 +41,7 @@ TEST("a checkerboard is of one material in each cube, by the parity of its floor
   const Pair pair;
   const Checkerboard board(Matrix(), pair.first, pair.second);
   const auto isSecond = [&](const Vec3d& p) {
-    const auto parts = board.partsAt(p);
+    const auto parts = board.materialsAt(p);
     CHECK_EQUAL(parts.size(), std::size_t(1));
     CHECK_EQUAL(parts[0].weight, 1.0);
     return parts[0].material == &pair.white;
@@ -128,12 +125,12 @@ TEST("a weight below 0 counts as 0, above 1 as 1, and NaN as 0") {
   };
   const Pair pair;
   for (const double weight : {-0.5, -1e300, std::nan(""), 0.0}) {
-    const auto parts = Fixed(pair, weight).partsAt({0, 0, 0});
+    const auto parts = Fixed(pair, weight).materialsAt({0, 0, 0});
     CHECK_EQUAL(parts.size(), std::size_t(1));
     CHECK(parts[0].material == &pair.black && parts[0].weight == 1);
   }
   for (const double weight : {1.0, 1.5, 1e300}) {
-    const auto parts = Fixed(pair, weight).partsAt({0, 0, 0});
+    const auto parts = Fixed(pair, weight).materialsAt({0, 0, 0});
     CHECK_EQUAL(parts.size(), std::size_t(1));
     CHECK(parts[0].material == &pair.white && parts[0].weight == 1);
   }
@@ -175,7 +172,7 @@ TEST("points beyond all bounds are of the first material, or of both where the n
 TEST("parts that are equal are one, with all their weight") {
   const Pair pair;
   const Noise same(Matrix(), pair.first, pair.first, 5);
-  const auto parts = same.partsAt({0.3, 0.4, 0.7});
+  const auto parts = same.materialsAt({0.3, 0.4, 0.7});
   CHECK_EQUAL(parts.size(), std::size_t(1));
   CHECK_EQUAL(parts[0].weight, 1.0);
   // A texture of one material twice changes no bit of the weights above it.
@@ -190,7 +187,7 @@ TEST("parts that are equal are one, with all their weight") {
   // At whole points every noise is a half: b = (black + white) / 2, c = (b + black) / 2.
   const Noise b(Matrix(), pair.first, pair.second, 5);
   const Noise c(Matrix(), {&b, 2}, pair.first, 5);
-  CHECK_EQUAL(c.partsAt({1, 2, 3}).size(), std::size_t(2));
+  CHECK_EQUAL(c.materialsAt({1, 2, 3}).size(), std::size_t(2));
   CHECK_EQUAL(weightOf(pair.black, c, {1, 2, 3}), 0.75);
   CHECK_EQUAL(weightOf(pair.white, c, {1, 2, 3}), 0.25);
 }
@@ -230,7 +227,7 @@ TEST("random textures of textures come down to what splitting each of them in tw
       const bool isLeaf = place < 3;
       const Material* material = isLeaf ? static_cast<const Material*>(&leaves[std::size_t(place)])
                                         : noises[std::size_t(place) - 3].get();
-      return Part{material, std::size_t(place)};
+      return Component{material, std::size_t(place)};
     };
     for (int i = 0; i < 8; ++i) {
       const int a = random.index(3 + i), b = random.index(3 + i);
@@ -245,7 +242,7 @@ TEST("random textures of textures come down to what splitting each of them in tw
       cases.expect(std::fabs(found - double(expected[i])) < 1e-14,
                    [&] { return "round " + check::show(round) + ": " + check::show(found); });
     }
-    const auto parts = noises.back()->partsAt(p);
+    const auto parts = noises.back()->materialsAt(p);
     for (std::size_t i = 1; i < parts.size(); ++i) {
       cases.expect(parts[i - 1].material > parts[i].material, [] { return "order of places"; });
     }
@@ -256,12 +253,12 @@ TEST("random textures of textures come down to what splitting each of them in tw
 TEST("a hundred thousand textures, each of the two before it, come down to two parts at once") {
   const Pair pair;
   std::vector<std::unique_ptr<Noise>> noises;
-  std::vector<Part> parts = {pair.first, pair.second};
+  std::vector<Component> parts = {pair.first, pair.second};
   for (std::size_t i = 2; i < 100000; ++i) {
     noises.push_back(std::make_unique<Noise>(Matrix(), parts[i - 1], parts[i - 2], 1));
     parts.push_back({noises.back().get(), i});
   }
-  const auto found = noises.back()->partsAt({1, 2, 3});
+  const auto found = noises.back()->materialsAt({1, 2, 3});
   // With halves throughout, the share that reaches place 1 is s(1) = 2/3: from above, the weight
   // that passes place k is 1/2 of that at k + 1 and 1/2 of that at k + 2, which tends to 2/3; of
   // what passes place 2 (2/3) half goes to 1 and half to 0, and of place 3 (2/3) half goes to 1.
@@ -276,12 +273,12 @@ TEST("a deep chain of halves fades into its plain materials") {
   constexpr std::size_t kLevels = 3000;
   std::vector<PhongMaterial> leaves(kLevels + 1, plain({1, 1, 1}));
   std::vector<std::unique_ptr<Noise>> noises;
-  Part below{&leaves[0], 0};
+  Component below{&leaves[0], 0};
   for (std::size_t i = 1; i <= kLevels; ++i) {
-    noises.push_back(std::make_unique<Noise>(Matrix(), below, Part{&leaves[i], 2 * i}, 1));
+    noises.push_back(std::make_unique<Noise>(Matrix(), below, Component{&leaves[i], 2 * i}, 1));
     below = {noises.back().get(), 2 * i + 1};
   }
-  const auto parts = noises.back()->partsAt({0, 0, 0});
+  const auto parts = noises.back()->materialsAt({0, 0, 0});
   CHECK(parts.size() > 1000 && parts.size() < 1080);  // 2^-1074 is the least double
   double expected = 0.5;
   for (std::size_t i = 0; i < 1000; ++i, expected /= 2) {

@@ -1,6 +1,13 @@
 // Gradient noise: at each corner of the unit cell around the point a gradient, picked by hashing
 // the corner; their ramps are blended by a curve whose first two derivatives vanish at both ends.
-#include "math/noise.h"
+//
+//   1. Split the point into the cell's whole coordinates (i, j, k), modulo 256, and the place
+//      (x, y, z) within it, 0..1.
+//   2. For each of the eight corners look up a gradient: P[P[P[i] + j] + k] in a table of the
+//      numbers 0..255 in random order. Its ramp is the scalar product of the gradient with the way
+//      from the corner to the point: 0 at the corner.
+//   3. Blend the eight ramps along x, then y, then z, by 6 t^5 - 15 t^4 + 10 t^3.
+#include "math/perlin_noise.h"
 
 #include <cassert>
 #include <limits>
@@ -29,8 +36,10 @@ bool isFinite(double x) { return std::fabs(x) <= std::numeric_limits<double>::ma
 
 int hashed(int i) { return kPermutation[i & 255]; }
 
+/// The blending curve, 0 at 0 and 1 at 1.
 double faded(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
+/// a at t = 0, b at t = 1.
 double between(double t, double a, double b) { return a + t * (b - a); }
 
 /// The ramp of one of 12 gradients, from the middle of a cube to the middles of its edges (four
@@ -68,6 +77,7 @@ double noise(const Vec3d& p) {
 
 double fractalNoise(const Vec3d& p, int octaves) {
   assert(octaves >= 1 && octaves <= kMaxOctaves);
+  // The scale is a power of two: to multiply or divide by it rounds nothing.
   double sum = 0, scale = 1;
   for (int i = 0; i < octaves; ++i) {
     sum += noise(p * scale) / scale;

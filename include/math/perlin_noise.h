@@ -1,5 +1,5 @@
-// Gradient noise in space: the same bits everywhere, for every point that a double can name.
-// Source: Perlin, "Improving Noise", 2002, with the permutation published there.
+// Perlin's gradient noise in space: the same bits everywhere, for every point that a double can
+// name. Source: Perlin, "Improving Noise", 2002, with the permutation published there.
 #pragma once
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // math::noise against published values, values derived by hand, and the definition written down a
 // second time: a sum over eight corners in long double.
-#include "math/noise.h"
+#include "math/perlin_noise.h"
 
 #include <limits>
 

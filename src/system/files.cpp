@@ -1,5 +1,5 @@
-// Opening, reading, locking and closing files on POSIX.
-#include "system/open_file.h"
+// Files on POSIX: descriptors, owned by the objects that opened them.
+#include "system/files.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <initializer_list>
 
 static_assert(sizeof(off_t) == 8, "files beyond 2 GB need _FILE_OFFSET_BITS=64");
 
@@ -48,5 +49,15 @@ ssize_t readSome(int descriptor, char* target, std::size_t room) {
   for (;;) {
     const ssize_t count = ::read(descriptor, target, room);
     if (count >= 0 || errno != EINTR) return count;
+  }
+}
+
+void keepStandardFiles() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(descriptor, F_GETFD) >= 0) continue;
+    // The lowest free number is this one. Opened the wrong way round: any use is an error.
+    const int wrongWay = descriptor == STDOUT_FILENO ? O_RDONLY : O_WRONLY;
+    // Where there is no /dev, a folder does: to read and to write it are errors too.
+    if (open("/dev/null", wrongWay) < 0 && open("/", O_RDONLY | O_DIRECTORY) < 0) return;
   }
 }
