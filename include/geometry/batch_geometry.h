@@ -22,8 +22,7 @@ class BatchGeometry {
 
   /// Object3D::intersect for `count` rays, 0 to kBatchSize, each with its own hit: hits[i] is
   /// changed as intersect(rays[i], hits[i], tmins[i]) would.
-  virtual void intersectBatch(const Ray* rays, const double* tmins, int count,
-                              Hit* hits) const = 0;
+  virtual void intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const = 0;
   /// Object3D::occluded for `count` queries, 0 to kBatchSize; stores each answer in blocked[i].
   virtual void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const = 0;
 };

@@ -14,7 +14,9 @@ class Group : public Object3D {
   /// Appends `object` (not owned, not null).
   void addObject(const Object3D* object) { objects_.push_back(object); }
 
+  /// How many slots there are, those that are empty included.
   int getGroupSize() const { return int(objects_.size()); }
+  /// In scene order; null where a slot is empty.
   const std::vector<const Object3D*>& getObjects() const { return objects_; }
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;

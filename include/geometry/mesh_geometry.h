@@ -11,6 +11,7 @@
 
 class MeshGeometry {
  public:
+  /// The corners of a triangle, as indices of vertices.
   using Face = std::array<std::uint32_t, 3>;
 
   MeshGeometry() = default;
@@ -21,7 +22,11 @@ class MeshGeometry {
   const std::vector<Vec3f>& getVertices() const { return vertices_; }
   const std::vector<Face>& getFaces() const { return faces_; }
   std::uint32_t faceCount() const { return std::uint32_t(faces_.size()); }
-  /// Corner 0, 1 or 2 of face `face`.
+  /// The corners of face `face`, below faceCount(), in the mesh's own space.
+  std::array<Vec3d, 3> corners(std::uint32_t face) const {
+    return {corner(face, 0), corner(face, 1), corner(face, 2)};
+  }
+  /// Corner 0, 1 or 2 of face `face`, in the mesh's own space.
   Vec3d corner(std::uint32_t face, int index) const {
     return vertices_[faces_[face][std::size_t(index)]];
   }

@@ -2,11 +2,27 @@
 // ray; what answers for many at once is a BatchGeometry too.
 // All objects are const while rays are traced, so any number of threads may ask at once.
 #pragma once
-#include "geometry/crossing.h"
 #include "geometry/hit.h"
 #include "geometry/ray.h"
 #include "math/bounding_box.h"
 #include "math/matrix.h"
+
+/// One place where a ray passes through a surface. What light loses on its way through transparent
+/// objects is counted from all of them.
+struct Crossing {
+  double t;                  ///< ray parameter
+  const Object3D* object;    ///< the sphere, plane, triangle or mesh; not owned
+  const Material* material;  ///< its material; not owned
+  bool closed;               ///< the object encloses a volume
+  bool leaving;              ///< the ray goes out along the normal here
+};
+
+class CrossingVisitor {
+ public:
+  virtual ~CrossingVisitor() = default;
+  /// Called once for every crossing, in no particular order.
+  virtual void visit(const Crossing& crossing) = 0;
+};
 
 class Object3D {
  public:

@@ -11,6 +11,7 @@ class Object3D;
 class Ray {
  public:
   Ray() {}  // were it defaulted, Ray() would first clear all bytes, slowly
+  /// The direction must not be zero; its length is the unit of t.
   Ray(const Vec3d& origin, const Vec3d& direction) : origin_(origin), direction_(direction) {}
 
   /// Becomes the ray from `origin` along `direction` that leaves nothing. In place: a ray that is
@@ -23,6 +24,7 @@ class Ray {
   }
   const Vec3d& getOrigin() const { return origin_; }
   const Vec3d& getDirection() const { return direction_; }
+  /// origin + t direction: t counts lengths of the direction, and may be negative.
   Vec3d pointAtParameter(double t) const { return origin_ + direction_ * t; }
 
   /// Says that the ray starts on `surface`, where that is a mesh on its triangle `face`. A plane or
@@ -34,7 +36,7 @@ class Ray {
   }
   const Object3D* getSource() const { return source_; }
   std::uint32_t getSourceFace() const { return sourceFace_; }
-  /// Whether setSource has named this `surface` and `face`.
+  /// Whether the ray starts on `surface`, where that is a mesh on its triangle `face`.
   bool leaves(const Object3D* surface, std::uint32_t face = 0) const {
     return source_ == surface && sourceFace_ == face;
   }

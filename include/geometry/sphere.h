@@ -12,12 +12,6 @@ class Sphere : public Object3D {
   double getRadius() const { return radius_; }
   const Material* getMaterial() const { return material_; }
 
-  /// Finds the least t with tmin < t < tmax at which the ray meets the sphere; on success stores
-  /// it in `t`. This is the one function that decides a sphere hit, on every path.
-  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
-  /// Records in `hit` what lies at parameter t of the ray, a root that nearestRoot gave.
-  void setHit(const Ray& ray, double t, Hit& hit) const;
-
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
@@ -25,6 +19,7 @@ class Sphere : public Object3D {
   bool isBounded() const override { return true; }
 
  private:
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
   bool roots(const Ray& ray, double& middle, double& half) const;
 
   Vec3d center_;

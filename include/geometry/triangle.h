@@ -1,6 +1,44 @@
-// Triangle: three points; its normal points to where they run counter-clockwise.
+// Triangle: three points; its normal points to where they run counter-clockwise. And the one test
+// that decides whether a ray hits a triangle, and where: of a Triangle, and of each face of a mesh.
+//
+// The vertices are taken relative to the ray's origin and moved along its direction onto a plane,
+// where the ray is the point (0, 0): a vertex lands at the same place for all triangles that share
+// it. On which side of an edge (0, 0) lies is then decided without any rounding error, and (0, 0)
+// on the edge counts as inside: no ray passes between two triangles, nor through a vertex, where
+// the rounded signs of many edges would have to agree. Source: Woop, Benthin and Wald, "Watertight
+// Ray/Triangle Intersection", 2013; the exact product is Dekker's, "A Floating-Point Technique for
+// Extending the Available Precision", 1971.
 #pragma once
+#include <algorithm>
+
 #include "geometry/object3d.h"
+
+namespace triangle {
+
+/// Twice the area times the normal; the side from which a, b, c run counter-clockwise.
+inline Vec3d areaNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return cross(b - a, c - a);
+}
+
+/// The largest coordinate of the three, by size.
+inline double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return std::max({maxAbs(a), maxAbs(b), maxAbs(c)});
+}
+
+/// Finds where the ray meets triangle abc (either side); on success stores the parameter in `t`,
+/// whatever its sign. A triangle without area is never hit, nor is one seen exactly edge-on.
+/// t never leaves the range of the three vertices, however flat the ray strikes.
+bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t);
+
+/// Like intersect, but a ray through a shared edge or vertex crosses exactly one of the triangles
+/// on each side of the surface: ties are broken as if the ray were moved by (e, e^2) on the plane
+/// for an e too small to matter. `leaving` tells whether it goes out along the normal; over all
+/// faces of a closed mesh, in front and behind, leaving and entering crossings are equally many.
+/// Source: Edelsbrunner and Muecke, "Simulation of Simplicity", 1990.
+bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t,
+             bool& leaving);
+
+}  // namespace triangle
 
 class Triangle : public Object3D {
  public:
@@ -11,11 +49,9 @@ class Triangle : public Object3D {
   /// Vertex 0, 1 or 2.
   const Vec3d& getVertex(int index) const { return vertices_[index]; }
   const Material* getMaterial() const { return material_; }
+  /// Whether its area normal, as it is computed, is other than zero: three points on a line may
+  /// have one by rounding, and points closer than 1e-162 or so have none.
   bool hasArea() const;
-
-  /// Like Sphere::nearestRoot.
-  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
-  void setHit(const Ray& ray, double t, Hit& hit) const;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;
@@ -24,6 +60,8 @@ class Triangle : public Object3D {
   bool isBounded() const override { return true; }
 
  private:
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
+
   Vec3d vertices_[3];
   const Material* material_;  // not owned
 };

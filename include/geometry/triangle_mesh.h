@@ -1,4 +1,4 @@
-// TriangleMesh: triangles of one material. Parts of a hit are numbered as its faces.
+// TriangleMesh: triangles of one material. A hit says which face it is of.
 #pragma once
 #include "geometry/mesh_geometry.h"
 #include "geometry/object3d.h"
@@ -12,8 +12,10 @@ class TriangleMesh : public Object3D {
   const MeshGeometry& getGeometry() const { return *geometry_; }
   const Material* getMaterial() const { return material_; }
 
-  /// Like Sphere::nearestRoot, for one face.
+  /// Finds the t at which the ray meets one face, if tmin < t < tmax and the ray does not start on
+  /// that face; on success stores it in `t`.
   bool nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax, double& t) const;
+  /// Records in `hit` what lies at parameter t of the ray, which nearestRoot gave for that face.
   void setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const;
   /// The same, for a caller who has the face's corners at hand.
   void setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray,

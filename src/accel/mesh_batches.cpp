@@ -9,7 +9,7 @@
 #include "accel/packet.h"
 #include "accel/prepare_packet.h"
 #include "accel/triangle_hits.h"
-#include "geometry/triangle_test.h"
+#include "geometry/triangle.h"
 
 namespace accel {
 namespace {

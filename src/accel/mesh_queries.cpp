@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "accel/mesh_query.h"
-#include "geometry/triangle_test.h"
+#include "geometry/triangle.h"
 
 namespace accel {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "accel/build_range.h"
 #include "accel/parallel.h"
-#include "geometry/triangle_test.h"
+#include "geometry/triangle.h"
 #include "math/bounding_box.h"
 
 namespace accel {

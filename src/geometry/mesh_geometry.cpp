@@ -1,19 +1,27 @@
 // MeshGeometry: what can be said of a mesh as a whole.
+//
+// Bounds. One geometry may stand in a scene ten thousand times, each time turned otherwise, and
+// tight bounds need every corner. So the faces are looked over once, in runs of 64 that lie next to
+// each other in the file, and mostly in space, and the box of each run is kept. For an instance a
+// run whose moved box lies within the bounds found so far cannot extend them, and is passed over.
+//
+// Closed. Every side of every face is an edge from one position to the next, written as one number.
+// The surface is closed where no edge comes twice and every edge also comes the other way: then
+// each pair of positions joins exactly two faces, which run along it in opposite directions.
 #include "geometry/mesh_geometry.h"
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
-#include "geometry/triangle_test.h"
+#include "geometry/triangle.h"
 #include "system/worker_threads.h"
 
 namespace {
 
+/// By x, then y, then z; -0 is 0.
 bool positionLess(const Vec3f& a, const Vec3f& b) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (a[axis] != b[axis]) return a[axis] < b[axis];
-  }
-  return false;
+  return std::make_tuple(a.x(), a.y(), a.z()) < std::make_tuple(b.x(), b.y(), b.z());
 }
 
 /// For each vertex the number of its position, equal positions having equal numbers.
@@ -31,12 +39,6 @@ std::vector<std::uint32_t> numberPositions(const std::vector<Vec3f>& vertices) {
   }
   return numbers;
 }
-
-/// An edge of a face, its ends in ascending order.
-struct Edge {
-  std::uint64_t ends;
-  bool ascending;  // whether the face runs from the smaller to the larger end
-};
 
 /// A box around all that Matrix::transformPoint gives for points in `box`, not empty, rounding
 /// included: the terms are added in the same order, each replaced by its least or largest value,
@@ -56,13 +58,10 @@ BoundingBox moved(const BoundingBox& box, const Matrix& matrix) {
   return {low, high};
 }
 
+/// False where a coordinate of `inner` is NaN.
 bool contains(const BoundingBox& outer, const BoundingBox& inner) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(outer.low()[axis] <= inner.low()[axis] && inner.high()[axis] <= outer.high()[axis])) {
-      return false;
-    }
-  }
-  return true;
+  return least(inner.low(), outer.low()) == outer.low() &&
+         largest(inner.high(), outer.high()) == outer.high();
 }
 
 }  // namespace
@@ -70,16 +69,12 @@ bool contains(const BoundingBox& outer, const BoundingBox& inner) {
 MeshGeometry::MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces)
     : vertices_(std::move(vertices)), faces_(std::move(faces)) {
   runs_.resize((faces_.size() + kRunFaces - 1) / kRunFaces);
-  constexpr std::size_t kRunsPerThread = 256;  // some 0.2 ms of work
-  const int threads = int(
-      std::clamp(runs_.size() / kRunsPerThread, std::size_t(1), std::size_t(hardwareThreads())));
-  const auto lookOverShare = [&](int thread) {
-    const std::size_t share = runs_.size() / std::size_t(threads) + 1;
-    const std::size_t first = share * std::size_t(thread);
-    const std::size_t last = std::min(first + share, runs_.size());
-    for (std::size_t run = first; run < last; ++run) runs_[run] = lookOver(run);
-  };
-  threads == 1 ? lookOverShare(0) : runOnThreads(threads, 0, lookOverShare);
+  constexpr std::size_t kRunsAtOnce = 256;  // some 0.2 ms of work
+  const std::size_t shares = (runs_.size() + kRunsAtOnce - 1) / kRunsAtOnce;
+  shareOnThreads(hardwareThreads(), 0, shares, [&](std::size_t share) {
+    const std::size_t last = std::min((share + 1) * kRunsAtOnce, runs_.size());
+    for (std::size_t run = share * kRunsAtOnce; run < last; ++run) runs_[run] = lookOver(run);
+  });
   findExtremes();
 }
 
@@ -114,20 +109,16 @@ MeshGeometry::FaceRun MeshGeometry::lookOver(std::size_t run) const {
 
 /// Finds for each side of the mesh's box a corner that lies on it.
 void MeshGeometry::findExtremes() {
+  if (runs_.empty()) return;
   for (int axis = 0; axis < 3; ++axis) {
     std::size_t lowest = 0, highest = 0;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
       if (runs_[run].low[axis] < runs_[lowest].low[axis]) lowest = run;
       if (runs_[run].high[axis] > runs_[highest].high[axis]) highest = run;
     }
-    if (runs_.empty()) return;
-    Vec3f low, high;
-    visitCorners(lowest, [&](const Vec3f& corner) {
-      if (corner[axis] == runs_[lowest].low[axis]) low = corner;
-    });
-    visitCorners(highest, [&](const Vec3f& corner) {
-      if (corner[axis] == runs_[highest].high[axis]) high = corner;
-    });
+    Vec3f low = runs_[lowest].high, high = runs_[highest].low;
+    visitCorners(lowest, [&](const Vec3f& v) { low = v[axis] <= low[axis] ? v : low; });
+    visitCorners(highest, [&](const Vec3f& v) { high = v[axis] >= high[axis] ? v : high; });
     extremes_.insert(extremes_.end(), {low, high});
   }
 }
@@ -150,20 +141,20 @@ void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
 
 void MeshGeometry::findWhetherClosed() {
   const std::vector<std::uint32_t> numbers = numberPositions(vertices_);
-  std::vector<Edge> edges;
+  std::vector<std::uint64_t> edges, reversed;
   edges.reserve(3 * faces_.size());
+  reversed.reserve(3 * faces_.size());
+  bool hasPoints = false;  // as sides of a face
   for (const Face& face : faces_) {
-    for (int side = 0; side < 3; ++side) {
-      const std::uint64_t from = numbers[face[std::size_t(side)]];
-      const std::uint64_t to = numbers[face[std::size_t((side + 1) % 3)]];
-      edges.push_back({std::min(from, to) << 32 | std::max(from, to), from < to});
+    for (std::size_t side = 0; side < 3; ++side) {
+      const std::uint64_t from = numbers[face[side]], to = numbers[face[(side + 1) % 3]];
+      edges.push_back(from << 32 | to);
+      reversed.push_back(to << 32 | from);
+      hasPoints |= from == to;
     }
   }
-  std::sort(edges.begin(), edges.end(), [](Edge a, Edge b) { return a.ends < b.ends; });
-  closed_ = !edges.empty();
-  for (std::size_t i = 0; i < edges.size() && closed_; i += 2) {
-    closed_ = i + 1 < edges.size() && edges[i].ends == edges[i + 1].ends &&
-              edges[i].ascending != edges[i + 1].ascending &&
-              (i + 2 == edges.size() || edges[i + 2].ends != edges[i].ends);
-  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(reversed.begin(), reversed.end());
+  closed_ = !edges.empty() && !hasPoints && edges == reversed &&
+            std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }

@@ -1,9 +1,12 @@
 // Plane: t = (offset - n . origin) / (n . direction).
+// Any point of the ray has the distance n . (origin + t direction) - offset from the plane, which
+// is linear in t and 0 where the ray meets it.
 #include "geometry/plane.h"
 
 #include <cmath>
 #include <limits>
 
+/// Finds that t where tmin < t < tmax and the ray does not start on the plane.
 bool Plane::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
   if (ray.leaves(this)) return false;
   const double approach = dot(normal_, ray.getDirection());
@@ -13,16 +16,12 @@ bool Plane::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) con
   return true;
 }
 
-void Plane::setHit(const Ray& ray, double t, Hit& hit) const {
-  const Vec3d point = ray.pointAtParameter(t);
-  const double extent = std::fabs(offset_);
-  hit.record(t, material_, normal_, point, {this, 0, magnitudeOf(t, point, ray, extent)});
-}
-
 bool Plane::intersect(const Ray& ray, Hit& hit, double tmin) const {
   double t;
   if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
-  setHit(ray, t, hit);
+  const Vec3d point = ray.pointAtParameter(t);
+  const double extent = std::fabs(offset_);
+  hit.record(t, material_, normal_, point, {this, 0, magnitudeOf(t, point, ray, extent)});
   return true;
 }
 

@@ -20,6 +20,8 @@ bool Sphere::roots(const Ray& ray, double& middle, double& half) const {
   return true;
 }
 
+/// Finds the least t with tmin < t < tmax at which the ray meets the sphere; on success stores it
+/// in `t`. The one function that decides a sphere hit.
 bool Sphere::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
   double middle, half;
   if (!roots(ray, middle, half)) return false;
@@ -33,17 +35,13 @@ bool Sphere::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) co
   return true;
 }
 
-void Sphere::setHit(const Ray& ray, double t, Hit& hit) const {
+bool Sphere::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  double t;
+  if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
   const Vec3d point = ray.pointAtParameter(t);
   const double extent = std::max(maxAbs(center_), radius_);
   hit.record(t, material_, normalize(point - center_), point,
              {this, 0, magnitudeOf(t, point, ray, extent)});
-}
-
-bool Sphere::intersect(const Ray& ray, Hit& hit, double tmin) const {
-  double t;
-  if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
-  setHit(ray, t, hit);
   return true;
 }
 

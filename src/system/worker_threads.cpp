@@ -49,23 +49,6 @@ extern "C" void* runSharedWork(void* work) {
   return nullptr;
 }
 
-/// Attributes that ask for a stack of `bytes`, freed at the end of scope.
-class StackSize {
- public:
-  explicit StackSize(std::size_t bytes) {
-    pthread_attr_init(&attributes_);
-    const std::size_t page = 65536;
-    pthread_attr_setstacksize(&attributes_, (std::max(bytes, page) + page - 1) / page * page);
-  }
-  ~StackSize() { pthread_attr_destroy(&attributes_); }
-  StackSize(const StackSize&) = delete;
-  StackSize& operator=(const StackSize&) = delete;
-  const pthread_attr_t* get() const { return &attributes_; }
-
- private:
-  pthread_attr_t attributes_;
-};
-
 }  // namespace
 
 int hardwareThreads() {
@@ -78,17 +61,21 @@ int hardwareThreads() {
 
 void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work) {
   SharedWork shared{work, threads, {}, {}, {}};
-  const StackSize stack(stackBytes);
   std::vector<pthread_t> started;
   started.reserve(std::size_t(threads));
-  // Join before anything is thrown: the threads use what stands here.
+  // From here on nothing throws until all is given back.
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  constexpr std::size_t kUnit = 65536;  // a multiple of every page, and enough for any system
+  pthread_attr_setstacksize(&attributes, (std::max(stackBytes, kUnit) + kUnit - 1) / kUnit * kUnit);
   int error = 0;
   for (int i = 0; i < threads && error == 0; ++i) {
     pthread_t thread;
-    error = pthread_create(&thread, stack.get(), runSharedWork, &shared);
+    error = pthread_create(&thread, &attributes, runSharedWork, &shared);
     if (error == 0) started.push_back(thread);
   }
   for (const pthread_t thread : started) pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
   if (started.empty()) {
     const std::string room = std::to_string(stackBytes >> 20) + " MB of stack";
     throw std::system_error(error, std::generic_category(), "cannot start a thread with " + room);

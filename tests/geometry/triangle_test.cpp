@@ -2,7 +2,6 @@
 #include "geometry/triangle.h"
 
 #include "geometry/shapes.h"
-#include "geometry/triangle_test.h"
 #include "random.h"
 #include "vectors.h"
 
