@@ -26,11 +26,13 @@ mode=${1:-}
 case $mode in
   '')
     install_missing
+    with_tests=yes
     build_program
     cd "$build" && exec ctest --output-on-failure -j"$(count_jobs)"
     ;;
   --numbers)
     install_missing
+    with_tests=yes
     build_program --target unit_tests
     RAYTRACER_NUMBERS=${1:-500} exec "$build/unit_tests" long_double_test
     ;;

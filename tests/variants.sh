@@ -16,7 +16,8 @@ variant() {
   shift 2
   mkdir -p "$folder" || return 1
   have make || set -- -G Ninja "$@"
-  (cd "$folder" && cmake "$@" "$root" && cmake --build . --target "$target" -- -j"$(count_jobs)") \
+  (cd "$folder" && cmake -DBUILD_TESTING=ON "$@" "$root" &&
+    cmake --build . --target "$target" -- -j"$(count_jobs)") \
     >"$folder/build.log" 2>&1 && return 0
   tail -n 20 "$folder/build.log" >&2
   return 1

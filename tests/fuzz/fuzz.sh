@@ -23,7 +23,7 @@ build_fuzzers() {
   [ "$(cat "$fuzz_build/compiler.txt" 2>/dev/null)" = "$1" ] ||
     rm -rf "$fuzz_build/CMakeCache.txt" "$fuzz_build/CMakeFiles"
   echo "$1" >"$fuzz_build/compiler.txt"
-  set -- -S "$root" -B "$fuzz_build" -DCMAKE_CXX_COMPILER="$1" -DRAYTRACER_FUZZ=ON
+  set -- -S "$root" -B "$fuzz_build" -DCMAKE_CXX_COMPILER="$1" -DBUILD_TESTING=ON -DRAYTRACER_FUZZ=ON
   [ -f "$fuzz_build/CMakeCache.txt" ] || have make || set -- -G Ninja "$@"
   cmake "$@" >"$fuzz_build/configure.log" 2>&1 || {
     cat "$fuzz_build/configure.log" >&2
