@@ -79,6 +79,13 @@ TEST("a mesh with one face turned over or given twice is open") {
   CHECK(!isClosed(kCorners, twice));
 }
 
+TEST(
+    "a face with the same corner twice encloses nothing, though each of its sides comes both "
+    "ways") {
+  CHECK(!isClosed(kCorners, {{0, 0, 1}}));
+  CHECK(!isClosed(kCorners, {{2, 2, 2}}));
+}
+
 TEST("a mesh with all faces turned over is closed") {
   Faces faces = kTetrahedron;
   for (MeshGeometry::Face& face : faces) std::swap(face[0], face[1]);
@@ -135,6 +142,17 @@ TEST("the bounds of a large mesh under any map are those of all its corners, to 
       CHECK_EQUAL(box.high(), expected.high());
     }
   }
+}
+
+TEST("the bounds of a flat triangle that is turned are those of its corners") {
+  // Its own box has a fourth corner, (1, 1, 0), which a turn by 45 degrees takes to y = sqrt(2).
+  const MeshGeometry geometry(kCorners, {{0, 1, 2}});
+  const Matrix turn = Matrix::rotation({0, 0, 1}, 45);
+  BoundingBox box, expected;
+  geometry.addBounds(turn, box);
+  for (int i = 0; i < 3; ++i) expected.extend(turn.transformPoint(geometry.corner(0, i)));
+  CHECK_EQUAL(box.low(), expected.low());
+  CHECK_EQUAL(box.high(), expected.high());
 }
 
 TEST("faces without area are counted in every part of a large mesh") {
