@@ -133,9 +133,6 @@ class BlockWriter {
   void put(Bits bits);
   void fillByte() { put({0, (8 - heldCount_) % 8}); }
 
-  void writeTokens(const std::vector<Token>& tokens, const std::vector<Bits>& literals,
-                   const std::vector<Bits>& distances);
-
   Bytes bytes_;
   std::uint64_t held_ = 0;  // bits of the byte that is not whole yet
   unsigned heldCount_ = 0;  // below 8 between calls

@@ -21,41 +21,37 @@ constexpr std::size_t kMostStored = 65535;  // bytes in a stored block: 16 bits 
 using Lengths = std::vector<std::uint8_t>;
 using Counts = std::vector<std::uint32_t>;
 
-/// What the symbols take together.
-std::uint64_t bitsOf(const Counts& counts, const std::vector<Bits>& code) {
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) sum += std::uint64_t{counts[i]} * code[i].count;
-  return sum;
+enum Alphabet { kLiterals, kDistances };
+
+/// Calls visit(alphabet, symbol, more) for each symbol of a block; `more` are the bits behind it.
+template <class Visit>
+void forEachSymbol(const std::vector<Token>& tokens, const Visit& visit) {
+  for (const Token token : tokens) {
+    if (token.distance == 0) {
+      visit(kLiterals, token.length, Bits{0, 0});
+      continue;
+    }
+    const unsigned length = lengthSymbol(token.length), distance = distanceSymbol(token.distance);
+    const Range lengths = lengthRange(length), distances = distanceRange(distance);
+    visit(kLiterals, length, Bits{token.length - lengths.base, lengths.bits});
+    visit(kDistances, distance, Bits{token.distance - distances.base, distances.bits});
+  }
+  visit(kLiterals, kEndOfBlock, Bits{0, 0});
 }
 
-/// How often each symbol occurs in a block.
-struct SymbolCounts {
-  Counts literals = Counts(kLiteralSymbols), distances = Counts(kDistanceSymbols);
-  std::uint64_t moreBits = 0;  // of lengths and distances, behind their symbols
-
-  explicit SymbolCounts(const std::vector<Token>& tokens) {
-    for (const Token token : tokens) {
-      if (token.distance == 0) {
-        ++literals[token.length];
-        continue;
-      }
-      const unsigned length = lengthSymbol(token.length), distance = distanceSymbol(token.distance);
-      ++literals[length];
-      ++distances[distance];
-      moreBits += lengthRange(length).bits + distanceRange(distance).bits;
-    }
-    ++literals[kEndOfBlock];
-  }
-};
-
-/// The codes of a block.
+/// The two codes of a block.
 struct Codes {
-  Lengths literalLengths, distanceLengths;
-  std::vector<Bits> literals = codeOf(literalLengths), distances = codeOf(distanceLengths);
+  Lengths lengths[2];
+  std::vector<Bits> bits[2] = {codeOf(lengths[kLiterals]), codeOf(lengths[kDistances])};
 
-  std::uint64_t bitsFor(const SymbolCounts& counts) const {
-    return bitsOf(counts.literals, literals) + bitsOf(counts.distances, distances) +
-           counts.moreBits;
+  std::uint64_t bitsFor(const Counts (&counts)[2]) const {
+    std::uint64_t sum = 0;
+    for (const Alphabet alphabet : {kLiterals, kDistances}) {
+      for (std::size_t i = 0; i < counts[alphabet].size(); ++i) {
+        sum += std::uint64_t{counts[alphabet][i]} * bits[alphabet][i].count;
+      }
+    }
+    return sum;
   }
 };
 
@@ -98,7 +94,7 @@ void trim(Lengths& lengths, std::size_t least) {
 /// each other as one list of steps; steps are said in a code of their own, and its lengths come
 /// first.
 std::vector<Bits> headOf(const Codes& codes) {
-  Lengths literals = codes.literalLengths, distances = codes.distanceLengths;
+  Lengths literals = codes.lengths[kLiterals], distances = codes.lengths[kDistances];
   trim(literals, 257);
   trim(distances, 1);
   std::vector<Bits> head = {{unsigned(literals.size()) - 257, 5},
@@ -216,33 +212,21 @@ void BlockWriter::writeStored(const std::uint8_t* bytes, std::size_t size, bool 
   } while (size > 0);
 }
 
-void BlockWriter::writeTokens(const std::vector<Token>& tokens, const std::vector<Bits>& literals,
-                              const std::vector<Bits>& distances) {
-  for (const Token token : tokens) {
-    if (token.distance == 0) {
-      put(literals[token.length]);
-      continue;
-    }
-    const unsigned length = lengthSymbol(token.length), distance = distanceSymbol(token.distance);
-    const Range lengths = lengthRange(length), further = distanceRange(distance);
-    put(literals[length]);
-    put({token.length - lengths.base, lengths.bits});
-    put(distances[distance]);
-    put({token.distance - further.base, further.bits});
-  }
-  put(literals[kEndOfBlock]);
-}
-
 void BlockWriter::write(const std::vector<Token>& tokens, const std::uint8_t* bytes,
                         std::size_t size, bool isLast) {
-  const SymbolCounts counts(tokens);
-  const Codes fixed = {fixedLiteralLengths(), fixedDistanceLengths()};
-  const Codes own = {codeLengths(counts.literals, kLongestCode),
-                     codeLengths(counts.distances, kLongestCode)};
+  Counts counts[2] = {Counts(kLiteralSymbols), Counts(kDistanceSymbols)};
+  std::uint64_t moreBits = 0;  // which are the same with any codes
+  forEachSymbol(tokens, [&](Alphabet alphabet, unsigned symbol, Bits more) {
+    ++counts[alphabet][symbol];
+    moreBits += more.count;
+  });
+  const Codes fixed = {{fixedLiteralLengths(), fixedDistanceLengths()}};
+  const Codes own = {{codeLengths(counts[kLiterals], kLongestCode),
+                      codeLengths(counts[kDistances], kLongestCode)}};
   std::vector<Bits> head = headOf(own);
-  std::uint64_t ownBits = own.bitsFor(counts);
+  std::uint64_t ownBits = own.bitsFor(counts) + moreBits;
   for (const Bits bits : head) ownBits += bits.count;
-  const std::uint64_t fixedBits = fixed.bitsFor(counts);
+  const std::uint64_t fixedBits = fixed.bitsFor(counts) + moreBits;
   const std::uint64_t storedBits = 8 * (size + 5 * (size / kMostStored + 1));
   if (storedBits <= std::min(ownBits, fixedBits)) return writeStored(bytes, size, isLast);
   const bool isFixed = fixedBits <= ownBits;
@@ -251,7 +235,10 @@ void BlockWriter::write(const std::vector<Token>& tokens, const std::uint8_t* by
   put({isFixed ? 1u : 2u, 2});
   for (const Bits bits : head) put(bits);
   const Codes& codes = isFixed ? fixed : own;
-  writeTokens(tokens, codes.literals, codes.distances);
+  forEachSymbol(tokens, [&](Alphabet alphabet, unsigned symbol, Bits more) {
+    put(codes.bits[alphabet][symbol]);
+    put(more);
+  });
 }
 
 }  // namespace deflate

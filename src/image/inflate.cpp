@@ -94,20 +94,14 @@ class Inflater {
   Bytes run() {
     for (bool isLast = false; !isLast;) {
       isLast = bits_.take(1) != 0;
-      switch (bits_.take(2)) {
-        case 0:
-          copyStored();
-          break;
-        case 1:
-          decodeBlock(Decoder(deflate::fixedLiteralLengths()),
-                      Decoder(deflate::fixedDistanceLengths()));
-          break;
-        case 2:
-          decodeDynamic();
-          break;
-        default:
-          throw InflateError("a block of the reserved type 3");
+      const unsigned type = bits_.take(2);
+      if (type == 3) throw InflateError("a block of the reserved type 3");
+      if (type == 0) copyStored();
+      if (type == 1) {
+        decodeBlock(Decoder(deflate::fixedLiteralLengths()),
+                    Decoder(deflate::fixedDistanceLengths()));
       }
+      if (type == 2) decodeDynamic();
     }
     return std::move(output_);
   }
