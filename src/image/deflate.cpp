@@ -21,8 +21,8 @@ constexpr std::uint32_t kNoPlace = 0xFFFFFFFF;
 
 // Measured with pictures of the scenes: more tries or blocks of another size gain below 1 %.
 constexpr unsigned kTries = 16;
-constexpr unsigned kGoodLength = 16;  // a match that is worth a quarter of the tries to beat it
-constexpr unsigned kBestLength = 64;  // and one that nothing is tried to beat
+constexpr unsigned kGoodLength = 8;  // a match that is worth a quarter of the tries to beat it
+constexpr unsigned kBestLength = 32;  // and one that nothing is tried to beat
 constexpr std::size_t kBlockTokens = 16384;
 
 class TokenFinder {
