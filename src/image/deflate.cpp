@@ -19,9 +19,10 @@ constexpr unsigned kHashed = 4;  // bytes; copies of 3 save too little to look f
 constexpr unsigned kHashBits = 15;
 constexpr std::uint32_t kNoPlace = 0xFFFFFFFF;
 
-// Measured with pictures of the scenes: more tries or blocks of another size gain below 1 %.
+// Measured with the pictures of the scenes: twice these three make files that are 2 % smaller, in
+// 1.6 times the time; half of them 2 % larger ones in 0.85 of it.
 constexpr unsigned kTries = 16;
-constexpr unsigned kGoodLength = 8;  // a match that is worth a quarter of the tries to beat it
+constexpr unsigned kGoodLength = 8;   // a match that is worth a quarter of the tries to beat it
 constexpr unsigned kBestLength = 32;  // and one that nothing is tried to beat
 constexpr std::size_t kBlockTokens = 16384;
 
