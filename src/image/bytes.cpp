@@ -1,4 +1,5 @@
 // Bytes: reads a whole file, and takes bytes of it.
+// Memory grows with what has been read, as a file's size may change meanwhile, and a pipe has none.
 #include "image/bytes.h"
 
 #include <sys/stat.h>

@@ -1,5 +1,9 @@
 // PPM, PGM and PFM: a head of words (the kind, width, height, and the largest sample or, of floats,
 // a scale), one white space, then the samples, as bytes or as decimal numbers.
+//   P2, P3   grey and colours in decimal numbers, with white space between
+//   P5, P6   grey and colours in bytes; two each, the high one first, where the largest is over 255
+//   Pf, PF   grey and colours in floats of 32 bits; a scale below 0 says that low bytes come first
+// A row stands from the left; the top row comes first, but of floats the bottom one.
 #include <cstring>
 
 #include "image/picture_file.h"
@@ -47,10 +51,12 @@ class NetpbmReader {
   }
 
  private:
+  /// The file goes on with a byte of this kind.
   bool isNext(bool (*kind)(unsigned)) const {
     return reader_.remaining() > 0 && kind(reader_.peek());
   }
 
+  /// A PFM has no comments: its # is a fault of the number that should stand there.
   void skipSpaceAndComments() {
     const auto inLine = [](unsigned c) { return c != '\n' && c != '\r'; };
     while (isNext([](unsigned c) { return isSpace(c) || c == '#'; })) {
@@ -60,6 +66,7 @@ class NetpbmReader {
     }
   }
 
+  /// A decimal number; at most one digit is taken too many, so that it cannot overflow.
   unsigned takeNumber(const char* what, unsigned least, unsigned most) {
     skipSpaceAndComments();
     const bool isThere = isNext(isDigit);
@@ -100,6 +107,7 @@ class NetpbmReader {
     return image;
   }
 
+  /// As a byte: a sample s of at most m as 255 s / m, rounded to nearest.
   std::uint8_t takeSample() {
     if (isFloat_) return byteFromComponent(takeFloat());
     unsigned value = 0;

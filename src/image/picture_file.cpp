@@ -1,4 +1,8 @@
 // Picture files: which kind, and from there to its reader or writer.
+// A writer's way: a picture goes to its format's encode function, which hands the file to a sink
+// piece by piece; the sink appends to an OutputFile, or to bytes in memory. A reader's way: the
+// whole file is read, and its first bytes say which decode function it is for; a TGA has none to
+// tell by.
 #include "image/picture_file.h"
 
 #include <algorithm>

@@ -1,7 +1,11 @@
 // PNG reader. The chunks are taken one after the other, each with its checksum: the head, the
-// palette, and the data of all IDAT chunks, which are put together (RFC 2083, 3 and 4). The data is
-// inflated at once; then the filters are undone row by row from the top (6), as each needs the row
-// above it, and the samples become pixels.
+// palette, and the data of all IDAT chunks, which are put together (RFC 2083, 3 and 4). A chunk
+// that is unknown is skipped where its type begins with a small letter, which says that it may be.
+// The data is inflated at once; then the filters are undone row by row from the top (6), as each
+// needs the row above it, and the samples become pixels. Everything that the head declares is held
+// against what the file has before memory is asked for: deflate makes at most kMostExpansion bytes
+// of one. Order and number of the chunks are checked as the specification has them (4.3), so that a
+// file that other readers refuse is refused here too.
 #include <algorithm>
 #include <cstring>
 
@@ -139,21 +143,20 @@ class PngReader {
     }
   }
 
-  /// Bytes of a pixel, which is how far filters look back, and of a row with its filter.
+  /// Bytes of a pixel, which is how far filters look back, and of a row with its filter. Samples of
+  /// other depths than 8 bits would change these two and pixelOf.
   std::size_t perPixel() const { return channels_; }
   std::uint64_t stride() const { return 1 + std::uint64_t{width_} * channels_; }
 
+  /// All rows, each behind its filter.
   Bytes inflateRows() const {
-    // No more rows than deflate can make of the data; sides are below 2^31.
-    const std::uint64_t rows = data_.size() * kMostExpansion / stride();
-    const bool isEnough = height_ * stride() / kMostExpansion <= data_.size();
-    reader_.checkSize(width_, height_, isEnough ? height_ * std::uint64_t{width_} : rows * width_,
-                      data_.size(), " compressed");
+    const std::uint64_t size = height_ * stride(), pixels = std::uint64_t{width_} * height_;
+    const bool isPossible = size / kMostExpansion <= data_.size();
+    reader_.checkSize(width_, height_, isPossible ? pixels : 0, data_.size(), " compressed");
     try {
-      Bytes inflated = inflateZlib(data_, height_ * stride());
-      if (inflated.size() == height_ * stride()) return inflated;
-      reader_.fail("expected ", height_ * stride(), " bytes of image data, found ",
-                   inflated.size());
+      Bytes rows = inflateZlib(data_, size);
+      if (rows.size() == size) return rows;
+      reader_.fail("expected ", size, " bytes of image data, found ", rows.size());
     } catch (const InflateError& error) {
       reader_.fail("in the image data: ", error.what());
     }

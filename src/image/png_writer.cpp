@@ -130,6 +130,7 @@ class PngWriter {
     const auto rowOfPiece = [&](std::size_t i) {
       return std::min(std::size_t(count), i * rowsOfPiece_);
     };
+    // All pieces are filtered before the first is compressed, for copies reach into the one before.
     shareOnThreads(threads_, kStack, pieces, [&](std::size_t i) {
       const std::size_t first = rowOfPiece(i);
       filterRows(top + int(first), int(rowOfPiece(i + 1) - first),
@@ -147,6 +148,7 @@ class PngWriter {
     for (const Bytes& data : packed) sink_(chunk("IDAT", data));
   }
 
+  /// Puts `count` filtered rows from the top-th one on behind each other, each behind its filter.
   void filterRows(int top, int count, std::uint8_t* out) const {
     Bytes above(perPixel_ + rowSize_), row(above), tried(rowSize_);
     if (top > 0) readRow(top - 1, &above[perPixel_]);
