@@ -53,6 +53,14 @@ TEST("checksums of known texts") {
   CHECK_EQUAL(adler32(digits.data(), digits.size()), 0x091E01DEu);
   CHECK_EQUAL(adler32(digits.data() + 4, 5, adler32(digits.data(), 4)), 0x091E01DEu);
   CHECK_EQUAL(adler32(nullptr, 0), 1u);
+  // Of the largest bytes, whose sums grow fastest: with the remainders taken at every step.
+  const Bytes large(20000, 255);
+  std::uint32_t sum = 1, sumOfSums = 0;
+  for (const std::uint8_t byte : large) {
+    sum = (sum + byte) % 65521;
+    sumOfSums = (sumOfSums + sum) % 65521;
+  }
+  CHECK_EQUAL(adler32(large.data(), large.size()), sumOfSums << 16 | sum);
 }
 
 TEST("code lengths cost as little as any that fit, for small alphabets") {
