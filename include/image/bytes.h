@@ -1,6 +1,8 @@
-// Bytes: the content of a file, and the error of one that cannot be read as a picture.
+// Bytes: the content of a file, and a walk through it that never goes past its end.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,3 +20,50 @@ class ImageError : public std::runtime_error {
 /// The whole content of a file; a pipe is read to its end, but no further than 1 GiB, a
 /// device no further than 64 MB. Throws ImageError.
 Bytes readBytes(const std::string& path);
+
+/// Reads a picture file from its first byte on.
+class ByteReader {
+ public:
+  /// `bytes` must outlive the reader. `name` is the file, for messages.
+  ByteReader(const Bytes& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  std::size_t position() const { return position_; }
+  std::size_t remaining() const { return bytes_.size() - position_; }
+  /// The byte at hand, of which there must be one; it is not taken.
+  unsigned peek() const { return bytes_[position_]; }
+
+  /// Goes `count` bytes on and gives a pointer to the first of them; `what` names them for the
+  /// message. Throws ImageError where fewer are left.
+  const std::uint8_t* take(std::size_t count, const std::string& what);
+  unsigned takeByte(const char* what) { return *take(1, what); }
+
+  /// To be called before memory is asked for the picture: throws ImageError where it has more than
+  /// `most` pixels, which is what the bytes not taken yet can hold; they are `found` many, of a
+  /// `kind` (" compressed"). So it does where more than 2^26 pixels come from so small a file that
+  /// a byte of it stands for more than 256. (In a PNG of nothing but zeros one stands for 344 to
+  /// 1032, in a run-length encoded TGA for 64 at most.) Sides are below 2^31.
+  void checkSize(std::uint64_t width, std::uint64_t height, std::uint64_t most, std::size_t found,
+                 const char* kind = "") const;
+
+  /// Throws ImageError with a message made of these texts and numbers.
+  template <class... Words>
+  [[noreturn]] void fail(const Words&... words) const {
+    std::ostringstream message;
+    (message << ... << words);
+    throw ImageError(name_, message.str());
+  }
+
+ private:
+  const Bytes& bytes_;
+  std::string name_;
+  std::size_t position_ = 0;
+};
+
+/// 16 bits, the low byte first, as TGA has them.
+inline unsigned littleEndian16(const std::uint8_t* bytes) { return bytes[0] + 256u * bytes[1]; }
+
+/// 32 bits, the high byte first, as PNG has them.
+inline std::uint32_t bigEndian32(const std::uint8_t* bytes) {
+  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
+         std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[3]};
+}

@@ -1,6 +1,8 @@
-// Image: a picture of 8-bit RGB pixels.
-// Pixel (0, 0) is the lower left one: y counts upwards, as the camera's does.
+// Image: a picture of 8-bit RGB pixels. FloatImage: a picture of unclamped colours.
+// Pixel (0, 0) is the lower left one: x counts to the right and y upwards, as the camera's do. (In
+// most files the top row comes first; their readers and writers turn rows round.)
 #pragma once
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,28 +15,50 @@ struct Rgb8 {
   friend bool operator!=(Rgb8 p, Rgb8 q) { return !(p == q); }
 };
 
-/// int(component * 255) clamped to 0..255: truncated, not rounded. NaN becomes 0.
+/// int(component * 255) clamped to 0..255: truncated, not rounded. Below 1/255 (also negative, and
+/// -infinity) it is 0, from 1 on (also infinity) 255; NaN is 0.
 std::uint8_t byteFromComponent(float component);
+/// That of red, green and blue, each on its own.
 Rgb8 bytesFromColor(const Vec3f& color);
 
-class Image {
+/// Rows of pixels.
+template <class Pixel>
+class PixelGrid {
  public:
-  Image() = default;
+  /// Without pixels; Width() and Height() are 0.
+  PixelGrid() = default;
   /// Black. width and height are at least 1.
-  Image(int width, int height);
+  PixelGrid(int width, int height);
 
   int Width() const { return width_; }
   int Height() const { return height_; }
-  Rgb8 getPixel(int x, int y) const { return pixels_[index(x, y)]; }
-  void setPixel(int x, int y, Rgb8 value) { pixels_[index(x, y)] = value; }
-  void setPixel(int x, int y, const Vec3f& color) { setPixel(x, y, bytesFromColor(color)); }
-  void setAllPixels(const Vec3f& color);
+  /// 0 <= x < Width() and 0 <= y < Height().
+  const Pixel& getPixel(int x, int y) const { return pixels_[index(x, y)]; }
+  void setPixel(int x, int y, const Pixel& value) { pixels_[index(x, y)] = value; }
 
- private:
+ protected:
   std::size_t index(int x, int y) const {
+    assert(x >= 0 && x < width_ && y >= 0 && y < height_);
     return std::size_t(y) * std::size_t(width_) + std::size_t(x);
   }
 
   int width_ = 0, height_ = 0;
-  std::vector<Rgb8> pixels_;
+  std::vector<Pixel> pixels_;  // the lowest row first, each from the left
+};
+
+/// Colours as they were computed, 1 being the brightest a screen shows; nothing is clamped, and
+/// infinities and NaN are kept.
+class FloatImage : public PixelGrid<Vec3f> {
+ public:
+  using PixelGrid::PixelGrid;
+};
+
+class Image : public PixelGrid<Rgb8> {
+ public:
+  using PixelGrid::PixelGrid;
+  using PixelGrid::setPixel;
+
+  /// Sets the bytes of a colour, see bytesFromColor.
+  void setPixel(int x, int y, const Vec3f& color) { setPixel(x, y, bytesFromColor(color)); }
+  void setAllPixels(const Vec3f& color);
 };

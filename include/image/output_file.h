@@ -39,8 +39,12 @@ class OutputFile {
   void commit();
 
  private:
+  /// Creates temporary_ for writing and notes its name for the signal handler, as one step that no
+  /// signal can split. Sets descriptor_ and slot_; where it cannot, leaves them, and sets errno.
+  void createTemporary(unsigned permissions);
+  /// The temporary file is gone: renamed or removed.
+  void forgetTemporary();
   void removeTemporary();
-  void checkSize() const;
   [[noreturn]] void fail(int error) const;
 
   std::string path_;       // as the user gave it, for messages
@@ -69,3 +73,18 @@ bool isLineOpen();
 /// give exit status 128 + signal; those that were ignored stay ignored. SIGPIPE and SIGXFSZ are
 /// ignored, so that a closed pipe or the file size limit becomes an OutputError.
 void removeTemporaryOnSignals();
+
+/// From now on a signal that asks the program to end (see removeTemporaryOnSignals) writes its
+/// number, one byte, to `descriptor`, and the program goes on: whoever reads there has a tenth of a
+/// second to call endOnSignal; a signal after that ends the program without further ado. With -1
+/// signals end the program at once again, and on return nobody writes to the old descriptor any
+/// more. `descriptor` must be non-blocking.
+void passSignalsTo(int descriptor);
+
+/// What a signal does that is not passed: removes the temporary files and ends the program with
+/// status 128 + `signal`.
+[[noreturn]] void endOnSignal(int signal);
+
+/// Does not return once a signal handler, in another thread, has begun to end the program: what
+/// fails from then on (a rename of a file that the handler has removed) is no error to report.
+void waitIfEnding();

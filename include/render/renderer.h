@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "geometry/object3d.h"
-#include "image/float_image.h"
 #include "image/image.h"
 #include "render/material_colors.h"
 #include "render/ray_counts.h"

@@ -17,7 +17,7 @@
 #include <system_error>
 
 #include "cli/messages.h"
-#include "image/temporary_names.h"
+#include "image/output_file.h"
 #include "render/tile_bytes.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "image/png.h"
+#include "image/picture_file.h"
 
 namespace {
 
@@ -14,10 +14,10 @@ std::string sizeText(const Image& image) {
 }
 
 void keepPictures(const Image& expected, const Image& actual, ComparedPair& pair) {
-  pair.expectedPng = encodePng(expected, PngEffort::quick);
+  pair.expectedPng = encodePicture(expected, PictureFormat::png);
   if (pair.figures && pair.figures->maximum == 0) return;
-  pair.actualPng = encodePng(actual, PngEffort::quick);
-  pair.differencePng = encodePng(differencePicture(expected, actual), PngEffort::quick);
+  pair.actualPng = encodePicture(actual, PictureFormat::png);
+  pair.differencePng = encodePicture(differencePicture(expected, actual), PictureFormat::png);
 }
 
 /// Greater is worse.

@@ -11,7 +11,6 @@
 #include "cli/part_cover.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
-#include "image/tga.h"
 #include "scene/input_error.h"
 #include "system/files.h"
 #include "system/worker_threads.h"

@@ -6,9 +6,7 @@
 
 #include "cli/messages.h"
 #include "cli/part_arguments.h"
-#include "image/netpbm.h"
 #include "image/output_file.h"
-#include "image/picture_file.h"
 #include "render/filter_picture.h"
 
 namespace {
@@ -37,11 +35,8 @@ void write(const Output& output, int threads) {
   if (output.kind == Output::Kind::rays) {
     return writeFile(output.file, output.text.data(), output.text.size());
   }
-  if (wantsFloats(output)) return writePfm(output.exact, output.file);
-  if (formatOf(output.file) == PictureFormat::tga) {
-    return writeTga(output.image, output.file, output.place);
-  }
-  writePicture(output.image, output.file, threads);
+  if (wantsFloats(output)) return writePicture(output.exact, output.file);
+  writePicture(output.image, output.file, threads, output.place);
 }
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "image/float_image.h"
 #include "image/image.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 
 struct Output {
   enum class Kind { color, depth, normals, samples, filter, materials, heatmap, rays };

@@ -1,45 +1,58 @@
-// Bytes: reads a whole file.
+// Bytes: reads a whole file, and takes bytes of it.
+// Memory grows with what has been read, as a file's size may change meanwhile, and a pipe has none.
 #include "image/bytes.h"
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 
-namespace {
-
-// A device such as /dev/zero never ends.
-constexpr std::size_t kMostOfDevice = std::size_t{64} << 20;
-constexpr std::size_t kMostStreamed = std::size_t{1} << 30;
-
-struct Closer {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-}  // namespace
+#include "system/open_file.h"
 
 Bytes readBytes(const std::string& path) {
-  const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw ImageError(path, std::strerror(errno));
+  constexpr std::size_t kStep = 65536;
+  constexpr std::size_t kMostOfDevice = std::size_t{64} << 20;  // one such as /dev/zero never ends
+  constexpr std::size_t kMostStreamed = std::size_t{1} << 30;
+  const OpenFile file(path);
   struct stat status = {};
-  const bool isFile = fstat(fileno(file.get()), &status) == 0 && S_ISREG(status.st_mode);
+  if (!file.isOpen() || fstat(file.descriptor(), &status) != 0) {
+    throw ImageError(path, std::strerror(errno));
+  }
   Bytes bytes;
-  std::size_t count = 1;
-  while (count > 0) {
-    constexpr std::size_t kStep = 65536;
+  for (ssize_t count = 1; count > 0;) {
     const std::size_t before = bytes.size();
     if (S_ISCHR(status.st_mode) && before > kMostOfDevice) {
       throw ImageError(path, "expected at most 64 MB from a device, found more");
     }
-    if (!isFile && before > kMostStreamed) {
+    if (!S_ISREG(status.st_mode) && before > kMostStreamed) {
       throw ImageError(path, "expected at most 1 GiB from what is no plain file, found more");
     }
     bytes.resize(before + kStep);
-    count = std::fread(bytes.data() + before, 1, kStep, file.get());
-    bytes.resize(before + count);
+    count = readSome(file.descriptor(), reinterpret_cast<char*>(&bytes[before]), kStep);
+    if (count < 0) throw ImageError(path, std::strerror(errno));
+    bytes.resize(before + static_cast<std::size_t>(count));
   }
-  if (std::ferror(file.get())) throw ImageError(path, std::strerror(errno));
   return bytes;
+}
+
+const std::uint8_t* ByteReader::take(std::size_t count, const std::string& what) {
+  if (count > remaining()) {
+    fail("expected ", count, " bytes of ", what, " at byte ", position_, ", found ", remaining());
+  }
+  position_ += count;
+  return bytes_.data() + position_ - count;
+}
+
+void ByteReader::checkSize(std::uint64_t width, std::uint64_t height, std::uint64_t most,
+                           std::size_t found, const char* kind) const {
+  constexpr std::uint64_t kMostPixels = 1 << 26, kMostPerByte = 256;
+  const std::uint64_t pixels = width * height;
+  if (pixels > most) {
+    fail("expected the data of ", width, " x ", height, " pixels, found ", found, kind, " bytes");
+  }
+  if (pixels > kMostPixels && pixels / kMostPerByte > bytes_.size()) {
+    fail("a picture of ", width, " x ", height, " pixels in a file of ", bytes_.size(),
+         " bytes is refused");
+  }
 }

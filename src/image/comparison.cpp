@@ -1,4 +1,6 @@
-// Comparison.
+// Comparison: one walk over both pictures, from the top left in reading order, so that the first of
+// several worst pixels is the one that is named. Sums are of whole numbers, which no order of
+// summing changes; the figures are computed from them at the end.
 #include "image/comparison.h"
 
 #include <algorithm>

@@ -2,25 +2,8 @@
 #include "image/image.h"
 
 #include <algorithm>
-#include <cassert>
 
-#include "image/float_image.h"
 #include "system/memory.h"
-
-namespace {
-
-/// On large pages: gigabytes of small ones take the system 0.3 s to give back, which a signal that
-/// ends the program would wait for; so it is 0.02 s.
-template <class Pixel>
-void makePixels(int width, int height, std::vector<Pixel>& pixels) {
-  assert(width >= 1 && height >= 1);
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  pixels.reserve(count);
-  preferLargePages(pixels.data(), count * sizeof(Pixel));
-  pixels.resize(count);
-}
-
-}  // namespace
 
 std::uint8_t byteFromComponent(float component) {
   const float scaled = component * 255.0f;
@@ -32,14 +15,20 @@ Rgb8 bytesFromColor(const Vec3f& color) {
   return {byteFromComponent(color.r()), byteFromComponent(color.g()), byteFromComponent(color.b())};
 }
 
-Image::Image(int width, int height) : width_(width), height_(height) {
-  makePixels(width, height, pixels_);
+/// On large pages: gigabytes of small ones take the system 0.3 s to give back, which a signal that
+/// ends the program would wait for; so it is 0.02 s.
+template <class Pixel>
+PixelGrid<Pixel>::PixelGrid(int width, int height) : width_(width), height_(height) {
+  assert(width >= 1 && height >= 1);
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  pixels_.reserve(count);
+  preferLargePages(pixels_.data(), count * sizeof(Pixel));
+  pixels_.resize(count);
 }
+
+template class PixelGrid<Rgb8>;
+template class PixelGrid<Vec3f>;
 
 void Image::setAllPixels(const Vec3f& color) {
   std::fill(pixels_.begin(), pixels_.end(), bytesFromColor(color));
-}
-
-FloatImage::FloatImage(int width, int height) : width_(width) {
-  makePixels(width, height, pixels_);
 }

@@ -1,17 +1,15 @@
-// Inflate, as RFC 1951 (Deutsch, DEFLATE Compressed Data Format Specification, 1996) describes it.
-#include "image/inflate.h"
-
+// Inflate: decompresses deflate data, block after block.
+// A code is looked up by the next ten bits: a table has the symbol of every code of up to ten bits
+// at all places that begin with it. Longer codes, which are rare, are found bit by bit: the codes
+// of one length are consecutive numbers, so that the first one and their count tell whether the
+// bits so far are one (Adler, puff, 2002).
 #include <algorithm>
-#include <array>
 
-#include "image/byte_reader.h"
-#include "image/checksum.h"
-#include "image/deflate_tables.h"
+#include "image/deflate.h"
 
 namespace {
 
 using deflate::kEndOfBlock;
-using deflate::kLongestCode;
 
 /// The bits of the input, the lowest bit of each byte first.
 class BitReader {
@@ -20,76 +18,73 @@ class BitReader {
 
   /// A number of 0 to 16 bits, its lowest bit first.
   unsigned take(unsigned count) {
-    while (held_ < count) {
-      bits_ |= unsigned{takeByte()} << held_;
-      held_ += 8;
-    }
-    const unsigned value = bits_ & ((1u << count) - 1);
-    bits_ >>= count;
-    held_ -= count;
+    const unsigned value = peek(count);
+    drop(count);
     return value;
   }
-
-  void dropRestOfByte() { bits_ = held_ = 0; }  // fewer than 8 are ever held
-  std::size_t position() const { return position_; }
-
-  /// Whole bytes, after dropRestOfByte.
-  std::uint8_t takeByte() {
-    if (position_ >= input_.size()) throw InflateError("compressed data ends too early");
-    return input_[position_++];
+  /// That number, but leaves it; beyond the end of the input are zeros.
+  unsigned peek(unsigned count) {
+    while (held_ < count && position_ < input_.size()) {
+      bits_ |= std::uint32_t{input_[position_++]} << held_;
+      held_ += 8;
+    }
+    return bits_ & ((1u << count) - 1);
   }
+  void drop(unsigned count) {
+    if (count > held_) throw InflateError("compressed data ends too early");
+    bits_ >>= count;
+    held_ -= count;
+  }
+
+  void dropRestOfByte() { drop(held_ % 8); }
+  /// Of the byte behind the one that the last bit taken is in.
+  std::size_t position() const { return position_ - held_ / 8; }
 
  private:
   const Bytes& input_;
   std::size_t position_;
-  unsigned bits_ = 0, held_ = 0;
+  std::uint32_t bits_ = 0;
+  unsigned held_ = 0;  // at most 23
 };
 
-/// A canonical prefix code (RFC 1951, 3.2.2): codes of one length are consecutive numbers in the
-/// order of their symbols, and the first code of a length follows from the shorter ones.
-class PrefixCode {
+/// Decodes the symbols of one alphabet.
+class Decoder {
  public:
   /// lengths[symbol] is 1 to 15 bits, or 0 for a symbol that does not occur. A code must be
   /// complete, except that it may have no symbol, or a single one of 1 bit.
-  PrefixCode(const std::uint8_t* lengths, std::size_t symbols) {
-    for (std::size_t i = 0; i < symbols; ++i) ++count_[lengths[i]];
-    count_[0] = 0;
-    std::array<std::uint16_t, kLongestCode + 2> next = {};  // first symbol of each length
-    int unused = 1;                                         // codes left at this length
-    for (unsigned length = 1; length <= kLongestCode; ++length) {
-      unused = 2 * unused - count_[length];
-      if (unused < 0) throw InflateError("more codes than their lengths allow");
-      next[length + 1] = static_cast<std::uint16_t>(next[length] + count_[length]);
+  explicit Decoder(const std::vector<std::uint8_t>& lengths)
+      : longest_(*std::max_element(lengths.begin(), lengths.end())), table_(1u << longest_) {
+    const std::vector<deflate::Bits> code = deflate::codeOf(lengths);
+    std::size_t taken = 0;  // places of the table; a code of n bits has one in 2^n of them
+    for (const deflate::Bits bits : code) taken += bits.count > 0 ? table_.size() >> bits.count : 0;
+    if (taken > table_.size()) throw InflateError("more codes than their lengths allow");
+    if (taken < table_.size() && longest_ > 1) {
+      throw InflateError("fewer codes than their lengths need");
     }
-    const unsigned used = next[kLongestCode + 1];
-    const bool single = used == 0 || (used == 1 && count_[1] == 1);
-    if (unused > 0 && !single) throw InflateError("fewer codes than their lengths need");
-    for (std::size_t i = 0; i < symbols; ++i) {
-      if (lengths[i] != 0) symbol_[next[lengths[i]]++] = static_cast<std::uint16_t>(i);
+    for (std::size_t symbol = 0; symbol < code.size(); ++symbol) {
+      if (code[symbol].count == 0) continue;
+      for (unsigned at = code[symbol].value; at < table_.size(); at += 1u << code[symbol].count) {
+        table_[at] = {static_cast<std::uint16_t>(symbol), lengths[symbol]};
+      }
     }
   }
 
-  unsigned decode(BitReader& bits) const {
-    unsigned code = 0, first = 0, index = 0;  // first code of this length, and its symbol's place
-    for (unsigned length = 1; length <= kLongestCode; ++length) {
-      code = code << 1 | bits.take(1);
-      if (code - first < count_[length]) return symbol_[index + code - first];
-      index += count_[length];
-      first = (first + count_[length]) << 1;
-    }
-    throw InflateError("a code that stands for nothing");
+  unsigned take(BitReader& bits) const {
+    const Entry entry = table_[bits.peek(longest_)];
+    if (entry.length == 0) throw InflateError("a code that stands for nothing");
+    bits.drop(entry.length);
+    return entry.symbol;
   }
 
  private:
-  std::array<std::uint16_t, kLongestCode + 1> count_ = {};  // symbols by code length
-  std::array<std::uint16_t, 288> symbol_ = {};              // by code
-};
+  struct Entry {
+    std::uint16_t symbol;
+    std::uint8_t length;  // 0: no code
+  };
 
-template <std::size_t N>
-unsigned takeRange(const deflate::Range (&table)[N], unsigned symbol, BitReader& bits) {
-  if (symbol >= N) throw InflateError("a length or distance that does not exist");
-  return table[symbol].base + bits.take(table[symbol].bits);
-}
+  unsigned longest_;
+  std::vector<Entry> table_;
+};
 
 class Inflater {
  public:
@@ -97,21 +92,16 @@ class Inflater {
       : bits_(input, position), most_(most) {}
 
   Bytes run() {
-    for (bool last = false; !last;) {
-      last = bits_.take(1) != 0;
-      switch (bits_.take(2)) {
-        case 0:
-          copyStored();
-          break;
-        case 1:
-          decodeFixed();
-          break;
-        case 2:
-          decodeDynamic();
-          break;
-        default:
-          throw InflateError("a block of the reserved type 3");
+    for (bool isLast = false; !isLast;) {
+      isLast = bits_.take(1) != 0;
+      const unsigned type = bits_.take(2);
+      if (type == 3) throw InflateError("a block of the reserved type 3");
+      if (type == 0) copyStored();
+      if (type == 1) {
+        decodeBlock(Decoder(deflate::fixedLiteralLengths()),
+                    Decoder(deflate::fixedDistanceLengths()));
       }
+      if (type == 2) decodeDynamic();
     }
     return std::move(output_);
   }
@@ -129,80 +119,72 @@ class Inflater {
     const unsigned size = bits_.take(16);
     if ((bits_.take(16) ^ size) != 0xFFFF) throw InflateError("a stored block of unclear length");
     checkRoom(size);
-    for (unsigned i = 0; i < size; ++i) output_.push_back(bits_.takeByte());
-  }
-
-  void decodeFixed() {  // RFC 1951, 3.2.6
-    std::array<std::uint8_t, 288> lengths;
-    std::fill_n(lengths.begin(), 144, std::uint8_t{8});
-    std::fill_n(lengths.begin() + 144, 112, std::uint8_t{9});
-    std::fill_n(lengths.begin() + 256, 24, std::uint8_t{7});
-    std::fill_n(lengths.begin() + 280, 8, std::uint8_t{8});
-    std::array<std::uint8_t, 32> distances;
-    distances.fill(5);
-    decodeBlock({lengths.data(), lengths.size()}, {distances.data(), distances.size()});
+    for (unsigned i = 0; i < size; ++i) output_.push_back(std::uint8_t(bits_.take(8)));
   }
 
   void decodeDynamic() {  // RFC 1951, 3.2.7
-    const unsigned literals = bits_.take(5) + 257;
-    const unsigned distances = bits_.take(5) + 1;
-    if (literals > 286 || distances > 30) throw InflateError("more symbols than there are");
-    std::array<std::uint8_t, 286 + 30> lengths = {};
-    readCodeLengths(lengths.data(), literals + distances);
+    const unsigned literals = bits_.take(5) + 257, distances = bits_.take(5) + 1;
+    if (literals > deflate::kLiteralSymbols || distances > deflate::kDistanceSymbols) {
+      throw InflateError("more symbols than there are");
+    }
+    const std::vector<std::uint8_t> lengths = readCodeLengths(literals + distances);
     if (lengths[kEndOfBlock] == 0) throw InflateError("a block that cannot end");
-    decodeBlock({lengths.data(), literals}, {lengths.data() + literals, distances});
+    const auto middle = lengths.begin() + literals;
+    decodeBlock(Decoder({lengths.begin(), middle}), Decoder({middle, lengths.end()}));
   }
 
-  PrefixCode readLengthCode() {
-    std::array<std::uint8_t, deflate::kLengthCodeSymbols> lengths = {};
-    const unsigned count = bits_.take(4) + 4;
-    for (unsigned i = 0; i < count; ++i) {
-      lengths[deflate::kLengthCodeOrder[i]] = static_cast<std::uint8_t>(bits_.take(3));
+  std::vector<std::uint8_t> readCodeLengths(std::size_t count) {
+    std::vector<std::uint8_t> codeLengths(deflate::kLengthCodeSymbols);
+    const unsigned stored = bits_.take(4) + 4;
+    for (unsigned i = 0; i < stored; ++i) {
+      codeLengths[deflate::kLengthCodeOrder[i]] = static_cast<std::uint8_t>(bits_.take(3));
     }
-    return {lengths.data(), lengths.size()};
-  }
-
-  void readCodeLengths(std::uint8_t* lengths, unsigned count) {
-    const PrefixCode code = readLengthCode();
-    for (unsigned done = 0; done < count;) {
-      const unsigned symbol = code.decode(bits_);
-      std::uint8_t length = 0;
-      unsigned times = 1;
-      if (symbol < 16) length = static_cast<std::uint8_t>(symbol);
-      if (symbol == 16) {
-        if (done == 0) throw InflateError("a code length that repeats nothing");
-        length = lengths[done - 1];
-        times = 3 + bits_.take(2);
-      }
-      if (symbol == 17) times = 3 + bits_.take(3);
-      if (symbol == 18) times = 11 + bits_.take(7);
-      if (times > count - done) throw InflateError("more code lengths than symbols");
-      std::fill_n(lengths + done, times, length);
-      done += times;
+    const Decoder code(codeLengths);
+    std::vector<std::uint8_t> lengths;
+    while (lengths.size() < count) {
+      const unsigned symbol = code.take(bits_);
+      if (symbol == 16 && lengths.empty()) throw InflateError("a code length that repeats nothing");
+      const unsigned length = symbol < 16 ? symbol : symbol == 16 ? lengths.back() : 0;
+      const unsigned times = symbol < 16    ? 1
+                             : symbol == 16 ? 3 + bits_.take(2)
+                             : symbol == 17 ? 3 + bits_.take(3)
+                                            : 11 + bits_.take(7);
+      if (times > count - lengths.size()) throw InflateError("more code lengths than symbols");
+      lengths.insert(lengths.end(), times, static_cast<std::uint8_t>(length));
     }
+    return lengths;
   }
 
-  void decodeBlock(const PrefixCode& literals, const PrefixCode& distances) {
+  void decodeBlock(const Decoder& literals, const Decoder& distances) {
     for (;;) {
-      const unsigned symbol = literals.decode(bits_);
+      const unsigned symbol = literals.take(bits_);
       if (symbol == kEndOfBlock) return;
       if (symbol < kEndOfBlock) {
         checkRoom(1);
         output_.push_back(static_cast<std::uint8_t>(symbol));
-        continue;
+      } else {
+        copy(symbol, distances);
       }
-      const std::size_t length = takeRange(deflate::kLengths, symbol - kEndOfBlock - 1, bits_);
-      const std::size_t distance = takeRange(deflate::kDistances, distances.decode(bits_), bits_);
-      if (distance > output_.size()) throw InflateError("a copy from before the beginning");
-      checkRoom(length);
-      // Byte by byte: a copy may overlap itself.
-      for (std::size_t i = 0; i < length; ++i)
-        output_.push_back(output_[output_.size() - distance]);
     }
   }
 
+  void copy(unsigned symbol, const Decoder& distances) {
+    constexpr const char* kNone = "a length or distance that does not exist";
+    if (symbol >= deflate::kLiteralSymbols) throw InflateError(kNone);
+    const deflate::Range lengths = deflate::lengthRange(symbol);
+    const std::size_t length = lengths.base + bits_.take(lengths.bits);
+    const unsigned distanceSymbol = distances.take(bits_);
+    if (distanceSymbol >= deflate::kDistanceSymbols) throw InflateError(kNone);
+    const deflate::Range range = deflate::distanceRange(distanceSymbol);
+    const std::size_t distance = range.base + bits_.take(range.bits);
+    if (distance > output_.size()) throw InflateError("a copy from before the beginning");
+    checkRoom(length);
+    // Byte by byte: a copy may overlap itself.
+    for (std::size_t i = 0; i < length; ++i) output_.push_back(output_[output_.size() - distance]);
+  }
+
   BitReader bits_;
-  std::size_t most_;
+  const std::size_t most_;
   Bytes output_;
 };
 
@@ -228,7 +210,7 @@ Bytes inflateZlib(const Bytes& input, std::size_t most) {
     throw InflateError("expected 4 bytes after the compressed data, found " +
                        std::to_string(input.size() - position));
   }
-  if (bigEndian32(input.data() + position) != adler32(output.data(), output.size())) {
+  if (bigEndian32(&input[position]) != adler32(output.data(), output.size())) {
     throw InflateError("the Adler-32 checksum is wrong");
   }
   return output;

@@ -1,4 +1,10 @@
 // OutputFile: written beside its place, checked, renamed.
+// First the place is found: what the name stands for once its links are followed. A plain file, or
+// one that is not there yet, is written under a temporary name in the same folder, because a rename
+// is one step only within a file system, and flushed to the disk before the rename, so that after a
+// power failure the name stands for the whole old file or the whole new one. Anything else is
+// written where it is. What keeps the process from writing is found before anything is created, by
+// the same function for checkOutput and OutputFile.
 #include "image/output_file.h"
 
 #include <fcntl.h>
@@ -9,93 +15,80 @@
 #include <algorithm>
 #include <cerrno>
 #include <climits>
-#include <cstdlib>
 #include <cstring>
-
-#include "image/temporary_names.h"
+#include <filesystem>
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr int kMostLinks = 40;             // as Linux itself counts before it says ELOOP
+constexpr int kMostAttempts = 100;         // to find a temporary name that is free
 constexpr std::size_t kLongestName = 255;  // of one part of a path, on every common file system
 
 /// With its last slash; empty for a name in the current folder.
 std::string folderOf(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
-
-std::string canonical(const std::string& folder) {
-  char* const found = realpath(folder.empty() ? "." : folder.c_str(), nullptr);
-  std::string result = found ? found : "";
-  std::free(found);
-  return result;
+/// The same as the system takes it.
+std::string openFolderOf(const std::string& path) {
+  return folderOf(path).empty() ? "." : folderOf(path);
 }
 
 /// What a path stands for, once its links are followed.
 struct Place {
-  enum class Kind { file, inPlace, descriptor };
-  Kind kind = Kind::file;
   std::string path;     // without links in its last part
-  int descriptor = -1;  // of this process, where the kind says so
+  int descriptor = -1;  // of this process, where the path stands for one
+  bool isInPlace = false;
   bool exists = false;
   int error = 0;  // errno of why nobody can say whether it exists
   struct stat status = {};
 };
 
-/// True for /dev/fd/N, /proc/self/fd/N and the like: a descriptor of this very process.
-bool namesOwnDescriptor(const std::string& path, const std::string& folder, Place& place) {
-  const std::string name = path.substr(path.rfind('/') + 1);
-  if (name.empty() || name.size() > 9) return false;
-  if (name.find_first_not_of("0123456789") != std::string::npos) return false;
+/// True for /dev/fd, /proc/self/fd and the like: the descriptors of this very process.
+bool holdsOwnDescriptors(const std::string& folder) {
   const std::string own = "/proc/" + std::to_string(getpid()) + "/";
-  const bool isOwn = folder == "/dev/fd" || folder == own + "fd" ||
-                     (folder.rfind(own + "task/", 0) == 0 && folder.size() > 3 &&
-                      folder.compare(folder.size() - 3, 3, "/fd") == 0);
-  if (!isOwn) return false;
-  place.kind = Place::Kind::descriptor;
-  place.descriptor = std::stoi(name);
-  return true;
-}
-
-/// The text of the symbolic link `path`; empty where it is none.
-std::string linkText(const std::string& path) {
-  char text[PATH_MAX];
-  const ssize_t size = readlink(path.c_str(), text, sizeof text);
-  return size <= 0 ? "" : std::string(text, static_cast<std::size_t>(size));
+  const bool isOfThread = folder.rfind(own + "task/", 0) == 0 && folder.size() > 3 &&
+                          folder.compare(folder.size() - 3, 3, "/fd") == 0;
+  return folder == "/dev/fd" || folder == own + "fd" || isOfThread;
 }
 
 /// Follows the links of the last part by hand, because the file at their end may not exist yet.
 /// Stops at /proc, whose links name things that may have no path: a pipe, a deleted file.
 Place findPlace(const std::string& given) {
   Place place;
-  place.path = given;
-  if (given == "-") {
-    place.kind = Place::Kind::descriptor;
-    place.descriptor = STDOUT_FILENO;
-    return place;
-  }
+  place.path = given == "-" ? "/dev/fd/" + std::to_string(STDOUT_FILENO) : given;
   for (int links = 0; links <= kMostLinks; ++links) {
-    const std::string folder = canonical(folderOf(place.path));
-    if (namesOwnDescriptor(place.path, folder, place)) return place;
-    const bool inProc = folder == "/proc" || folder.rfind("/proc/", 0) == 0;
-    const std::string text = inProc ? "" : linkText(place.path);
+    std::error_code ignored;
+    const std::string folder = fs::canonical(openFolderOf(place.path), ignored).string();
+    const std::string name = place.path.substr(folderOf(place.path).size());
+    const bool isNumber = !name.empty() && name.size() <= 9 &&
+                          name.find_first_not_of("0123456789") == std::string::npos;
+    if (given == "-" || (isNumber && holdsOwnDescriptors(folder))) {
+      place.isInPlace = true;
+      place.descriptor = std::stoi(name);
+      return place;
+    }
+    const bool isInProc = folder == "/proc" || folder.rfind("/proc/", 0) == 0;
+    const std::string text = isInProc ? "" : fs::read_symlink(place.path, ignored).string();
     if (!text.empty()) {
       place.path = text[0] == '/' ? text : folderOf(place.path) + text;
       continue;
     }
     place.exists = stat(place.path.c_str(), &place.status) == 0;
     if (!place.exists && errno != ENOENT) place.error = errno;
-    const bool isFile = !place.exists || S_ISREG(place.status.st_mode);
-    if (inProc || !isFile) place.kind = Place::Kind::inPlace;
+    place.isInPlace = isInProc || (place.exists && !S_ISREG(place.status.st_mode));
     return place;
   }
   throw OutputError(given, std::strerror(ELOOP));
 }
 
+/// 0, or the errno of why the process may not use the path so.
+int errorOfAccess(const std::string& path, int mode) {
+  return faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0 ? 0 : errno;
+}
+
 /// 0, or the errno of what keeps the process from writing there.
 int findObstacle(const Place& place) {
-  const auto forbids = [](const std::string& path, int mode) {
-    return faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0 ? 0 : errno;
-  };
-  if (place.kind == Place::Kind::descriptor) {
+  if (place.descriptor >= 0) {
     const int flags = fcntl(place.descriptor, F_GETFL);
     if (flags < 0) return errno;
     return (flags & O_ACCMODE) == O_RDONLY ? EBADF : 0;
@@ -105,11 +98,10 @@ int findObstacle(const Place& place) {
   if (place.error != 0) return place.error;
   if (place.exists) {
     if (S_ISDIR(place.status.st_mode)) return EISDIR;
-    if (const int error = forbids(place.path, W_OK)) return error;
+    if (const int error = errorOfAccess(place.path, W_OK)) return error;
   }
-  if (place.kind == Place::Kind::inPlace) return place.exists ? 0 : ENOENT;
-  const std::string folder = folderOf(place.path);
-  return forbids(folder.empty() ? "." : folder, W_OK | X_OK);
+  if (place.isInPlace) return place.exists ? 0 : ENOENT;
+  return errorOfAccess(openFolderOf(place.path), W_OK | X_OK);
 }
 
 /// NAME.tmp.PID, NAME cut where the whole would be too long for a file system; from the second
@@ -122,9 +114,7 @@ std::string temporaryName(const std::string& target, int attempt) {
 }
 
 int openInPlace(const Place& place) {
-  if (place.kind == Place::Kind::descriptor) {
-    return fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0);
-  }
+  if (place.descriptor >= 0) return fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0);
   int descriptor = -1;
   do {
     descriptor = open(place.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
@@ -144,14 +134,13 @@ bool flush(int descriptor) {
 /// Flushes the folder of a file, so that a rename in it outlives a power failure. A folder that may
 /// be written but not read cannot be opened for that; the system flushes it in its own time.
 bool flushFolderOf(const std::string& path) {
-  const std::string folder = folderOf(path);
-  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open(openFolderOf(path).c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno == EACCES;
-  const bool flushed = flush(descriptor);
+  const bool isFlushed = flush(descriptor);
   const int error = errno;
   close(descriptor);
   errno = error;
-  return flushed;
+  return isFlushed;
 }
 
 /// True when the caller should try again what gave errno.
@@ -169,28 +158,26 @@ std::string outputTitle(const std::string& path) { return path == "-" ? "standar
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   const Place place = findPlace(path);
   if (const int error = findObstacle(place)) fail(error);
-  if (place.kind != Place::Kind::file) {
+  if (place.isInPlace) {
     descriptor_ = openInPlace(place);
     if (descriptor_ < 0) fail(errno);
     return;
   }
   target_ = place.path;
-  // 0600 until the old file's permissions are copied: it may be a private one.
-  for (int attempt = 1; descriptor_ < 0 && attempt <= 100; ++attempt) {
+  errno = EEXIST;
+  for (int attempt = 1; descriptor_ < 0 && errno == EEXIST && attempt <= kMostAttempts; ++attempt) {
     temporary_ = temporaryName(target_, attempt);
-    descriptor_ = createTemporary(temporary_, place.exists ? 0600 : 0666, slot_);
-    if (descriptor_ < 0 && errno != EEXIST) break;
+    // 0600 until the old file's permissions are copied: it may be a private one.
+    createTemporary(place.exists ? 0600 : 0666);
   }
   if (descriptor_ < 0) fail(errno);
   if (!place.exists) return;
   // The owner first: a change of owner clears bits. Only root may, so a failure is no error.
-  const bool owned = fchown(descriptor_, place.status.st_uid, place.status.st_gid) == 0;
-  const mode_t kept = place.status.st_mode & (owned ? 07777 : 0777);
-  if (fchmod(descriptor_, kept) != 0) {
-    const int error = errno;
-    removeTemporary();
-    fail(error);
-  }
+  const bool isOwned = fchown(descriptor_, place.status.st_uid, place.status.st_gid) == 0;
+  if (fchmod(descriptor_, place.status.st_mode & (isOwned ? 07777 : 0777)) == 0) return;
+  const int error = errno;
+  removeTemporary();
+  fail(error);
 }
 
 OutputFile::~OutputFile() { removeTemporary(); }
@@ -200,43 +187,34 @@ void OutputFile::removeTemporary() {
   descriptor_ = -1;
   if (slot_ < 0) return;
   unlink(temporary_.c_str());
-  forgetTemporary(slot_);
-  slot_ = -1;
+  forgetTemporary();
 }
 
 void OutputFile::write(const void* data, std::size_t size) {
   const char* next = static_cast<const char*>(data);
-  while (size > 0) {
-    const std::size_t part = std::min<std::size_t>(size, SSIZE_MAX);
-    const ssize_t written = ::write(descriptor_, next, part);
+  for (const char* const end = next + size; next < end;) {
+    const ssize_t written =
+        ::write(descriptor_, next, std::min<std::size_t>(size_t(end - next), SSIZE_MAX));
     if (written == 0) fail(EIO);
-    if (written < 0) {
-      if (!waitAndRetry(descriptor_)) fail(errno);
-      continue;
-    }
-    next += written;
-    size -= static_cast<std::size_t>(written);
-    size_ += static_cast<std::size_t>(written);
+    if (written < 0 && !waitAndRetry(descriptor_)) fail(errno);
+    if (written > 0) next += written;
   }
-}
-
-void OutputFile::checkSize() const {
-  struct stat status = {};
-  if (fstat(descriptor_, &status) != 0) fail(errno);
-  if (static_cast<std::size_t>(status.st_size) != size_) fail(EIO);
+  size_ += size;
 }
 
 void OutputFile::commit() {
   if (!flush(descriptor_)) fail(errno);
-  if (slot_ >= 0) checkSize();
+  const bool isTemporary = slot_ >= 0;
+  struct stat status = {};
+  if (isTemporary && fstat(descriptor_, &status) != 0) fail(errno);
+  if (isTemporary && static_cast<std::size_t>(status.st_size) != size_) fail(EIO);
   const int closing = descriptor_;
   descriptor_ = -1;
   // After EINTR the descriptor is closed all the same on Linux, and the bytes are flushed.
   if (close(closing) != 0 && errno != EINTR) fail(errno);
-  if (slot_ < 0) return;
+  if (!isTemporary) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  forgetTemporary(slot_);
-  slot_ = -1;
+  forgetTemporary();
   if (!flushFolderOf(target_)) fail(errno);
 }
 

@@ -1,56 +1,102 @@
 // Picture files: which kind, and from there to its reader or writer.
+// A writer's way: a picture goes to its format's encode function, which hands the file to a sink
+// piece by piece; the sink appends to an OutputFile, or to bytes in memory. A reader's way: the
+// whole file is read, and its first bytes say which decode function it is for; a TGA has none to
+// tell by.
 #include "image/picture_file.h"
 
-#include "image/bytes.h"
-#include "image/netpbm.h"
-#include "image/png.h"
-#include "image/tga.h"
+#include <algorithm>
+
+#include "image/output_file.h"
 
 namespace {
 
-/// Behind the last dot of the last part of the path, in small letters.
-std::string endingOf(const std::string& path) {
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] == '/') return "";
-  std::string ending = path.substr(dot + 1);
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+/// The TGA rows of a picture: blue comes first.
+class BgrRows {
+ public:
+  explicit BgrRows(const Image& image) : image_(image), row_(3 * std::size_t(image.Width())) {}
+
+  const Bytes& operator()(int y) {
+    std::uint8_t* next = row_.data();
+    for (int x = 0; x < image_.Width(); ++x) {
+      const Rgb8 pixel = image_.getPixel(x, image_.Height() - 1 - y);
+      *next++ = pixel.b;
+      *next++ = pixel.g;
+      *next++ = pixel.r;
+    }
+    return row_;
   }
-  return ending;
+
+ private:
+  const Image& image_;
+  Bytes row_;
+};
+
+Vec3f colorOf(Rgb8 pixel) { return Vec3f(pixel.r / 255.0f, pixel.g / 255.0f, pixel.b / 255.0f); }
+
+void encode(const Image& image, PictureFormat format, int threads, const TgaPlace& place,
+            const Sink& sink) {
+  const int width = image.Width(), height = image.Height();
+  switch (format) {
+    case PictureFormat::tga:
+      return encodeTga(width, height, BgrRows(image), place, sink);
+    case PictureFormat::png:
+      return encodePng(image, sink, threads);
+    case PictureFormat::ppm:
+      return encodePpm(image, sink);
+    case PictureFormat::pfm:
+      return encodePfm(
+          width, height, [&image](int x, int y) { return colorOf(image.getPixel(x, y)); }, sink);
+  }
 }
 
-FloatImage floatsOf(const Image& image) {
-  FloatImage floats(image.Width(), image.Height());
-  for (int y = 0; y < image.Height(); ++y) {
-    for (int x = 0; x < image.Width(); ++x) {
-      const Rgb8 pixel = image.getPixel(x, y);
-      floats.setPixel(x, y, Vec3f(pixel.r / 255.0f, pixel.g / 255.0f, pixel.b / 255.0f));
-    }
-  }
-  return floats;
+/// Writes what encodeTo(sink) gives.
+template <class EncodeTo>
+void write(const std::string& path, const EncodeTo& encodeTo) {
+  OutputFile file(path);
+  encodeTo([&file](const Bytes& piece) { file.write(piece.data(), piece.size()); });
+  file.commit();
 }
 
 }  // namespace
 
 PictureFormat formatOf(const std::string& path) {
-  const std::string ending = endingOf(path);
+  const std::size_t dot = path.find_last_of("./");
+  std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
   if (ending == "png") return PictureFormat::png;
   if (ending == "ppm") return PictureFormat::ppm;
   if (ending == "pfm") return PictureFormat::pfm;
   return PictureFormat::tga;
 }
 
-void writePicture(const Image& image, const std::string& path, int threads) {
-  switch (formatOf(path)) {
-    case PictureFormat::tga:
-      return writeTga(image, path);
-    case PictureFormat::png:
-      return writePng(image, path, threads);
-    case PictureFormat::ppm:
-      return writePpm(image, path);
-    case PictureFormat::pfm:
-      return writePfm(floatsOf(image), path);
+void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place) {
+  const PictureFormat format = formatOf(path);
+  if (format == PictureFormat::tga && std::max(image.Width(), image.Height()) > 65535) {
+    throw OutputError(path, "a TGA image is at most 65535 pixels wide and high, this one is " +
+                                std::to_string(image.Width()) + " x " +
+                                std::to_string(image.Height()));
   }
+  write(path, [&](const Sink& sink) { encode(image, format, threads, place, sink); });
+}
+
+void writePicture(const FloatImage& image, const std::string& path) {
+  const auto colorAt = [&image](int x, int y) { return image.getPixel(x, y); };
+  write(path, [&](const Sink& sink) { encodePfm(image.Width(), image.Height(), colorAt, sink); });
+}
+
+void writeTgaRows(int width, int height, const std::function<const Bytes&(int y)>& row,
+                  const std::string& path) {
+  write(path, [&](const Sink& sink) { encodeTga(width, height, row, {}, sink); });
+}
+
+Bytes encodePicture(const Image& image, PictureFormat format, const TgaPlace& place) {
+  Bytes all;
+  encode(image, format, 1, place,
+         [&all](const Bytes& piece) { all.insert(all.end(), piece.begin(), piece.end()); });
+  return all;
 }
 
 Image readImage(const std::string& path) {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "child.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 #include "measure.h"
 #include "mesh.h"
 #include "process.h"
@@ -101,8 +101,8 @@ void ProgramRows::print() const {
 
 /// Both programs must have drawn the same scene: float rounding moves a few edges.
 void ProgramRows::printDifference() const {
-  const Image ours = readTga(folder_.file("ours.tga")),
-              theirs = readTga(folder_.file("theirs.tga"));
+  const Image ours = readImage(folder_.file("ours.tga")),
+              theirs = readImage(folder_.file("theirs.tga"));
   int different = 0;
   for (int y = 0; y < ours.Height(); ++y) {
     for (int x = 0; x < ours.Width(); ++x) {
@@ -141,7 +141,7 @@ void measurePhases(const std::string& scene, const std::string& image, int side,
                   targets.color = &picture;
                   render(*parser, *compiled, RenderOptions(), threads, targets);
                 }),
-      secondsOf(Clock::wall, 1, [&] { writeTga(picture, image); })};
+      secondsOf(Clock::wall, 1, [&] { writePicture(picture, image); })};
   std::printf("%.6f %.6f %.6f %.6f\n", phases[0], phases[1], phases[2], phases[3]);
 }
 

@@ -4,7 +4,7 @@
 
 #include "accel/compiled_scene.h"
 #include "fuzz.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 #include "render/renderer.h"
 #include "scene/scene_parser.h"
 
@@ -39,7 +39,7 @@ inline Bytes pictures(const SceneParser& scene, const Object3D& geometry,
   render(scene, geometry, options, 1, targets);
   Bytes all;
   for (const Image* image : {&color, &depth, &normals}) {
-    const Bytes bytes = encodeTga(*image);
+    const Bytes bytes = encodePicture(*image, PictureFormat::tga);
     all.insert(all.end(), bytes.begin(), bytes.end());
   }
   return all;

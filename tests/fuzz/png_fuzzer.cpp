@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "fuzz.h"
-#include "image/checksum.h"
-#include "image/inflate.h"
-#include "image/png.h"
+#include "image/deflate.h"
+#include "image/picture_file.h"
+#include "image/png_format.h"
 
 namespace {
 
@@ -25,7 +25,7 @@ void appendChunk(Bytes& file, const std::string& type, const Bytes& content) {
   const std::size_t start = file.size();
   file.insert(file.end(), type.begin(), type.end());
   file.insert(file.end(), content.begin(), content.end());
-  appendBig(file, crc32(&file[start], file.size() - start));
+  appendBig(file, png::crc32(&file[start], file.size() - start));
 }
 
 /// A zlib stream of stored blocks.
@@ -63,7 +63,7 @@ void repairChecksums(Bytes& file) {
     const std::size_t length = std::size_t(file[at]) << 24 | std::size_t(file[at + 1]) << 16 |
                                std::size_t(file[at + 2]) << 8 | file[at + 3];
     if (length > file.size() - at - 12) return;
-    const std::uint32_t crc = crc32(&file[at + 4], length + 4);
+    const std::uint32_t crc = png::crc32(&file[at + 4], length + 4);
     at += 8 + length;
     for (int shift = 24; shift >= 0; shift -= 8) file[at++] = std::uint8_t(crc >> shift);
   }

@@ -1,7 +1,7 @@
 // Fuzz target: the TGA reader. Demands: a picture that was read is one that can be written, and
 // reading that gives the same pixels again; an error is one line that prints.
 #include "fuzz.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Image image = decodeTga(Bytes(data, data + size), "in.tga");
     fuzz::demand(image.Width() >= 1 && image.Height() >= 1, "a picture has pixels");
-    fuzz::demand(isSame(decodeTga(encodeTga(image), "again.tga"), image),
+    fuzz::demand(isSame(decodeTga(encodePicture(image, PictureFormat::tga), "again.tga"), image),
                  "writing and reading again gives the same picture");
   } catch (const ImageError& error) {
     fuzz::demand(fuzz::isPlainLine(error.what()), "an error is one line that prints");

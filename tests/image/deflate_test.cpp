@@ -2,14 +2,12 @@
 #include "image/deflate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "check.h"
-#include "image/block_writer.h"
-#include "image/checksum.h"
-#include "image/inflate.h"
-#include "image/prefix_lengths.h"
+#include "encoded.h"
+#include "image/png_format.h"
 #include "random.h"
 
 namespace {
@@ -49,67 +47,102 @@ Bytes inflated(const Bytes& packed) { return inflateZlib(packed, std::size_t{1} 
 TEST("checksums of known texts") {
   const Bytes digits = bytesOf("123456789");
   // The check value of CRC-32 (Cook, Catalogue of parametrised CRC algorithms, "CRC-32/ISO-HDLC").
-  CHECK_EQUAL(crc32(digits.data(), digits.size()), 0xCBF43926u);
-  CHECK_EQUAL(crc32(nullptr, 0), 0u);
+  CHECK_EQUAL(png::crc32(digits.data(), digits.size()), 0xCBF43926u);
+  CHECK_EQUAL(png::crc32(nullptr, 0), 0u);
   // Sums by hand: 1 + 49 + ... + 57 = 478 = 0x1DE; the partial sums add up to 2334 = 0x91E.
   CHECK_EQUAL(adler32(digits.data(), digits.size()), 0x091E01DEu);
   CHECK_EQUAL(adler32(digits.data() + 4, 5, adler32(digits.data(), 4)), 0x091E01DEu);
   CHECK_EQUAL(adler32(nullptr, 0), 1u);
+  // Of the largest bytes, whose sums grow fastest: with the remainders taken at every step.
+  const Bytes large(20000, 255);
+  std::uint32_t sum = 1, sumOfSums = 0;
+  for (const std::uint8_t byte : large) {
+    sum = (sum + byte) % 65521;
+    sumOfSums = (sumOfSums + sum) % 65521;
+  }
+  CHECK_EQUAL(adler32(large.data(), large.size()), sumOfSums << 16 | sum);
 }
 
-TEST("code lengths cost as little as any that fit, for small alphabets and tight bounds") {
+TEST("code lengths cost as little as any that fit, for small alphabets") {
   Random random(11);
   for (int round = 0; round < 300; ++round) {
     const auto symbols = std::size_t(2 + random.index(5));
-    const unsigned fewest = symbols <= 2 ? 1 : symbols <= 4 ? 2 : 3;
-    const unsigned longest = fewest + unsigned(random.index(3));
+    const unsigned longest = unsigned(symbols) - 1;  // no code of so few symbols needs more
     std::vector<std::uint32_t> counts(symbols);
     for (std::uint32_t& count : counts) {
       count = std::uint32_t(1 + random.logUniform(1, round % 2 == 0 ? 10 : 1e6));
     }
-    std::vector<std::uint8_t> lengths(symbols, 99);
-    findPrefixLengths(counts.data(), symbols, longest, lengths.data());
+    const std::vector<std::uint8_t> lengths = deflate::codeLengths(counts, longest);
     CHECK(*std::max_element(lengths.begin(), lengths.end()) <= longest);
     CHECK_EQUAL(costOf(counts, lengths), leastByTrial(counts, longest));
   }
 }
 
-TEST("code lengths of counts that grow like Fibonacci's numbers keep to their bound") {
-  // Without a bound the longest of n such codes has n - 1 bits.
+TEST("code lengths keep to their bound and leave nothing over, whatever the counts") {
+  // Fibonacci's numbers: without a bound the longest of n such codes has n - 1 bits.
   std::vector<std::uint32_t> counts = {1, 1};
-  while (counts.size() < 40)
+  while (counts.size() < 40) {
     counts.push_back(counts[counts.size() - 1] + counts[counts.size() - 2]);
-  std::vector<std::uint8_t> lengths(counts.size());
-  findPrefixLengths(counts.data(), counts.size(), 15, lengths.data());
-  double kraft = 0;
-  for (const std::uint8_t length : lengths) {
-    CHECK(length >= 1 && length <= 15);
-    kraft += std::ldexp(1.0, -length);
   }
-  CHECK_EQUAL(kraft, 1.0);  // nothing is left over
+  Random random(14);
+  for (int round = 0; round < 300; ++round) {
+    const unsigned longest = round % 3 == 0 ? 7 : 15;
+    const std::vector<std::uint8_t> lengths = deflate::codeLengths(counts, longest);
+    double kraft = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      CHECK_EQUAL(lengths[i] > 0, counts[i] > 0);
+      CHECK(lengths[i] <= longest);
+      if (lengths[i] > 0) kraft += std::ldexp(1.0, -lengths[i]);
+    }
+    CHECK_EQUAL(kraft, 1.0);
+    counts.assign(std::size_t(2 + random.index(round % 3 == 2 ? 100 : 285)), 0);
+    for (std::uint32_t& count : counts) {
+      if (random.index(4) > 0) count = std::uint32_t(random.logUniform(1, 1e9));
+    }
+    counts[0] = counts[1] = 1;  // at least two occur
+  }
 }
 
 TEST("one symbol gets one bit, and none gets none") {
-  const std::uint32_t one[] = {0, 7, 0}, none[] = {0, 0, 0};
-  std::uint8_t lengths[3];
-  findPrefixLengths(one, 3, 15, lengths);
-  CHECK_EQUAL(int(lengths[0]) * 100 + lengths[1] * 10 + lengths[2], 10);
-  findPrefixLengths(none, 3, 15, lengths);
-  CHECK_EQUAL(int(lengths[0]) + lengths[1] + lengths[2], 0);
+  using Lengths = std::vector<std::uint8_t>;
+  CHECK((deflate::codeLengths({0, 7, 0}, 15) == Lengths{0, 1, 0}));
+  CHECK((deflate::codeLengths({0, 0, 0}, 15) == Lengths{0, 0, 0}));
 }
 
-TEST("lengths and distances fall into the ranges of the tables") {
+TEST("codes of one length are numbered in the order of their symbols, and turned round") {
+  // The example of RFC 1951, 3.2.2: A to H of 3, 3, 3, 3, 3, 2, 4 and 4 bits are 010, 011, 100,
+  // 101, 110, 00, 1110 and 1111.
+  const std::vector<deflate::Bits> code = deflate::codeOf({3, 3, 3, 3, 3, 2, 4, 4});
+  const unsigned expected[] = {2, 6, 1, 5, 3, 0, 7, 15};  // the first bit is the lowest here
+  for (std::size_t i = 0; i < 8; ++i) CHECK_EQUAL(code[i].value, expected[i]);
+  CHECK_EQUAL(deflate::codeOf({0, 1})[0].count, 0u);
+}
+
+TEST("lengths and distances fall into the ranges of RFC 1951, 3.2.5") {
   using namespace deflate;
   for (unsigned length = kShortestCopy; length <= kLongestCopy; ++length) {
-    const unsigned range = lengthRange(length);
-    // 258 has a symbol of its own, although the range before could say it too.
-    CHECK(kLengths[range].base <= length && (range == 28 || length < kLengths[range + 1].base));
+    const Range range = lengthRange(lengthSymbol(length));
+    CHECK(range.base <= length && length < range.base + (1u << range.bits));
   }
+  std::size_t misfits = 0;
   for (unsigned distance = 1; distance <= kWindow; ++distance) {
-    const unsigned range = distanceRange(distance);
-    const bool fits = kDistances[range].base <= distance &&
-                      distance < kDistances[range].base + (1u << kDistances[range].bits);
-    if (!fits) CHECK_EQUAL(distance, 0u);
+    const Range range = distanceRange(distanceSymbol(distance));
+    misfits += distance < range.base || distance >= range.base + (1u << range.bits);
+  }
+  CHECK_EQUAL(misfits, 0u);
+  // Some of the tables' entries: symbol, first length or distance, further bits.
+  const unsigned lengths[][3] = {{257, 3, 0},   {264, 10, 0},  {265, 11, 1},
+                                 {268, 17, 1},  {269, 19, 2},  {277, 67, 4},
+                                 {281, 131, 5}, {284, 227, 5}, {285, 258, 0}};
+  for (const auto& row : lengths) {
+    CHECK(lengthRange(row[0]).base == row[1] && lengthRange(row[0]).bits == row[2]);
+    CHECK_EQUAL(lengthSymbol(row[1]), row[0]);
+  }
+  const unsigned distances[][3] = {{0, 1, 0},    {3, 4, 0},      {4, 5, 1},       {7, 13, 2},
+                                   {16, 257, 7}, {23, 3073, 10}, {28, 16385, 13}, {29, 24577, 13}};
+  for (const auto& row : distances) {
+    CHECK(distanceRange(row[0]).base == row[1] && distanceRange(row[0]).bits == row[2]);
+    CHECK_EQUAL(distanceSymbol(row[1]), row[0]);
   }
 }
 
@@ -125,35 +158,61 @@ TEST("what is compressed is read back, whatever it is") {
       bytes[i] =
           i / 100 % 2 == 1 && back <= i ? bytes[i - back] : std::uint8_t(random.index(alphabet));
     }
-    const Bytes packed = deflateZlib(bytes);
+    const Bytes packed = encoded::zlib(bytes);
     if (inflated(packed) != bytes) CHECK_EQUAL("round " + std::to_string(round), "equal bytes");
     CHECK(packed.size() <= size + size / 1000 + 20);  // at worst stored: 5 bytes for each 65535
   }
 }
 
-TEST("a stream written in stretches is one stream, and copies reach over their borders") {
+TEST("a stream written in pieces is one stream, and copies reach over their borders") {
   Random random(13);
-  Bytes part(1000);
-  for (std::uint8_t& byte : part) byte = std::uint8_t(random.index(256));
-  DeflateWriter writer(64, 1);
-  Bytes all, packed;
-  for (int i = 0; i < 5; ++i) {
-    const std::size_t from = all.size();
-    all.insert(all.end(), part.begin(), part.end());
-    writer.append(all, from);
-    const Bytes piece = writer.take();
-    packed.insert(packed.end(), piece.begin(), piece.end());
-  }
-  writer.finish();
-  const Bytes last = writer.take();
-  packed.insert(packed.end(), last.begin(), last.end());
+  Bytes noise(1000), all;
+  for (std::uint8_t& byte : noise) byte = std::uint8_t(random.index(256));
+  for (int i = 0; i < 5; ++i) all.insert(all.end(), noise.begin(), noise.end());
+  const Bytes packed = encoded::zlib(all, noise.size());
   CHECK(inflated(packed) == all);
   CHECK(packed.size() < 1300);  // noise once, and four copies of it
+  for (const std::size_t piece : {1u, 2u, 7u, 999u, 4999u, 5000u}) {
+    CHECK(inflated(encoded::zlib(all, piece)) == all);
+  }
+}
+
+TEST("the sizes around every limit come back: none, one, the window, a stored block, tokens") {
+  Random random(15);
+  // A copy's longest, the window, what a stored block holds, and the tokens of a block.
+  const std::size_t limits[] = {0, 1, 2, 258, 16384, 32768, 65535, 131072};
+  for (const std::size_t limit : limits) {
+    for (const std::size_t size : {limit, limit + 1, limit - std::min<std::size_t>(limit, 1)}) {
+      Bytes equal(size, 200), noise(size), alternating(size);
+      for (std::size_t i = 0; i < size; ++i) {
+        noise[i] = std::uint8_t(random.index(256));
+        alternating[i] = std::uint8_t(i % 2 * 77);
+      }
+      for (const Bytes& bytes : {equal, noise, alternating}) {
+        const Bytes packed = encoded::zlib(bytes);
+        check::report(inflated(packed) == bytes, __FILE__, __LINE__, std::to_string(size));
+        CHECK(packed.size() <= size + 5 * (size / 16384 + 1) + 6);  // at worst stored
+      }
+    }
+  }
+}
+
+TEST("copies reach back a window and no further") {
+  Random random(16);
+  for (const std::size_t distance : {std::size_t{32767}, std::size_t{32768}, std::size_t{32769}}) {
+    Bytes bytes(distance + 200);  // noise, and its first 200 bytes again
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] = i < distance ? std::uint8_t(random.index(256)) : bytes[i - distance];
+    }
+    const Bytes packed = encoded::zlib(bytes);
+    CHECK(inflated(packed) == bytes);
+    CHECK_EQUAL(packed.size() < distance + 100, distance <= 32768);
+  }
 }
 
 TEST("long runs cost next to nothing, and noise no more than itself") {
   // Two bits for 258 bytes at best: 1 MB in 1 kB, and the heads of blocks.
-  CHECK(deflateZlib(Bytes(1 << 20)).size() < 1200);
-  CHECK(inflated(deflateZlib(Bytes(1 << 20))) == Bytes(1 << 20));
-  CHECK(inflated(deflateZlib({})).empty());
+  CHECK(encoded::zlib(Bytes(1 << 20)).size() < 1200);
+  CHECK(inflated(encoded::zlib(Bytes(1 << 20))) == Bytes(1 << 20));
+  CHECK(inflated(encoded::zlib({})).empty());
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "check.h"
-#include "image/difference.h"
+#include "image_difference.h"
 
 namespace {
 

@@ -1,11 +1,10 @@
 // Inflate: streams made with python3's zlib or bit by bit, and every way to be at fault.
-#include "image/inflate.h"
-
 #include <array>
 #include <random>
 
 #include "check.h"
-#include "image/checksum.h"
+#include "image/deflate.h"
+#include "image/png_format.h"
 
 namespace {
 
@@ -111,8 +110,8 @@ BitWriter tinyBlock() {
 
 TEST("the checksums have their published check values") {
   const std::string digits = "123456789";  // the usual check string of CRC catalogues
-  CHECK_EQUAL(crc32(reinterpret_cast<const std::uint8_t*>(digits.data()), 9), 0xCBF43926u);
-  CHECK_EQUAL(crc32(nullptr, 0), 0u);
+  CHECK_EQUAL(png::crc32(reinterpret_cast<const std::uint8_t*>(digits.data()), 9), 0xCBF43926u);
+  CHECK_EQUAL(png::crc32(nullptr, 0), 0u);
   // By hand for "ab": sum 1 + 97 + 98 = 196, sums 98 + 196 = 294.
   CHECK_EQUAL(adler32(reinterpret_cast<const std::uint8_t*>("ab"), 2), 294u << 16 | 196u);
   CHECK_EQUAL(adler32(nullptr, 0), 1u);

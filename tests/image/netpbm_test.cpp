@@ -1,9 +1,8 @@
 // PPM and PFM: the bytes that are written, every kind that is read, and every way to be at fault.
-#include "image/netpbm.h"
-
 #include <limits>
 
 #include "check.h"
+#include "encoded.h"
 #include "random.h"
 
 namespace {
@@ -55,7 +54,7 @@ Image fourPixels() {
 }  // namespace
 
 TEST("a PPM is a head and RGB bytes, top row first") {
-  CHECK(textOf(encodePpm(fourPixels())) ==
+  CHECK(textOf(encoded::ppm(fourPixels())) ==
         "P6\n2 2\n255\n"
         "\x01\n\xff"
         "\x02\0\0\x03\0\0\x04\0\0"s);
@@ -66,14 +65,17 @@ TEST("a PFM is a head and unclamped floats, low byte and bottom row first") {
   image.setPixel(0, 0, Vec3f(1, -2, 0.5f));
   image.setPixel(0, 1, Vec3f(100, 0, std::numeric_limits<float>::infinity()));
   // IEEE 754: 1 is 3F800000, -2 C0000000, 0.5 3F000000, 100 = 1.5625 x 2^6 42C80000.
-  CHECK(textOf(encodePfm(image)) ==
+  CHECK(textOf(encoded::all([&](const Sink& sink) {
+          encodePfm(
+              1, 2, [&](int x, int y) { return image.getPixel(x, y); }, sink);
+        })) ==
         "PF\n1 2\n-1\n"
         "\0\0\x80\x3f\0\0\0\xc0\0\0\0\x3f"
         "\0\0\xc8\x42\0\0\0\0\0\0\x80\x7f"s);
 }
 
 TEST("every kind of PPM, PGM and PFM is read") {
-  CHECK_EQUAL(shown(decodeNetpbm(encodePpm(fourPixels()), "a")), shown(fourPixels()));
+  CHECK_EQUAL(shown(decodeNetpbm(encoded::ppm(fourPixels()), "a")), shown(fourPixels()));
   CHECK_EQUAL(decode("P3 1 2 255 1 2 3\n4 5 6"), "1 2 3;/4 5 6;/");
   CHECK_EQUAL(decode("P2\n# a comment\n2 1 # another\n255\n7 8\n"), "7 7 7;8 8 8;/");
   CHECK_EQUAL(decode("P5 2 1 255\n\x07\x08"), "7 7 7;8 8 8;/");
@@ -118,7 +120,7 @@ TEST("a picture that the file cannot hold is an error before memory is asked for
 
 TEST("random damage of a file ends in an error or a picture") {
   Random random(31);
-  const std::string files[] = {textOf(encodePpm(fourPixels())), "P3 2 1 99\n1 2 3 4 5 6\n",
+  const std::string files[] = {textOf(encoded::ppm(fourPixels())), "P3 2 1 99\n1 2 3 4 5 6\n",
                                "Pf 2 1 -1\n\0\0\x80\x3f\0\0\0\x3f"s};
   int refused = 0;
   for (int round = 0; round < 30000; ++round) {

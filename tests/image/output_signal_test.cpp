@@ -10,7 +10,7 @@
 
 #include "check.h"
 #include "image/output_file.h"
-#include "image/tga.h"
+#include "image/picture_file.h"
 #include "output_files.h"
 
 namespace fs = std::filesystem;
@@ -129,7 +129,7 @@ TEST("a picture is written without a second copy of it in memory") {
     const rlim_t room = pages * rlim_t(sysconf(_SC_PAGESIZE)) + (rlim_t{32} << 20);
     const rlimit limit = {room, room};
     setrlimit(RLIMIT_AS, &limit);
-    writeTga(image, "/dev/null");
+    writePicture(image, "/dev/null");
     return 0;
   });
   if (WEXITSTATUS(status) == 77) SKIP("the memory in use cannot be asked here");

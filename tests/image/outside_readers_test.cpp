@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "check.h"
-#include "image/netpbm.h"
 #include "image/picture_file.h"
 #include "run_program.h"
 

@@ -4,11 +4,9 @@
 #include <chrono>
 
 #include "check.h"
+#include "encoded.h"
 #include "image/bytes.h"
-#include "image/checksum.h"
-#include "image/deflate.h"
-#include "image/png.h"
-#include "image/tga.h"
+#include "image/png_format.h"
 #include "random.h"
 #include "run_program.h"
 
@@ -29,7 +27,7 @@ std::string bigEndian(std::uint32_t value) {
 std::string chunk(const std::string& type, const std::string& data) {
   const std::string typed = type + data;
   return bigEndian(std::uint32_t(data.size())) + typed +
-         bigEndian(crc32(reinterpret_cast<const std::uint8_t*>(typed.data()), typed.size()));
+         bigEndian(png::crc32(reinterpret_cast<const std::uint8_t*>(typed.data()), typed.size()));
 }
 
 std::string pngOf(unsigned width, unsigned height, const Bytes& packed) {
@@ -93,7 +91,7 @@ TEST("files that claim to hold enormous pictures are refused at once") {
   std::string packed = tga;
   packed[2] = 10;
   CHECK(contains(quickFault(packed + "\xff\1\2\3"), "expected the data of"));
-  CHECK(contains(quickFault(pngOf(0x7FFFFFFF, 0x7FFFFFFF, deflateZlib(Bytes(10)))),
+  CHECK(contains(quickFault(pngOf(0x7FFFFFFF, 0x7FFFFFFF, encoded::zlib(Bytes(10)))),
                  "expected the data of"));
   CHECK(contains(quickFault("P6 65535 65535 255\n"), "expected the data of"));
   CHECK(contains(quickFault("PF 65535 65535 -1\n"), "expected the data of"));
@@ -113,14 +111,14 @@ TEST("a PNG that is enormous when it is unpacked is refused at once") {
   // Zeros shrink to a thousandth: the data could be those of 40000 x 40000 grey pixels.
   CHECK(contains(quickFault(pngOf(40000, 40000, Bytes(1600000))), "is refused"));
   // More data than the picture needs: refused where the picture is full.
-  CHECK(contains(quickFault(pngOf(1, 1, deflateZlib(Bytes(1 << 22)))), "more than the expected"));
+  CHECK(contains(quickFault(pngOf(1, 1, encoded::zlib(Bytes(1 << 22)))), "more than the expected"));
 }
 
 TEST("random damage of pictures ends in an error or a picture") {
   Random random(41);
   Image image(9, 7);
   for (int i = 0; i < 63; ++i) image.setPixel(i % 9, i / 9, Rgb8{std::uint8_t(i), 7, 9});
-  const Bytes files[] = {encodeTga(image), encodePng(image)};
+  const Bytes files[] = {encoded::tga(image), encoded::png(image)};
   int refused = 0;
   const check::ScratchFolder scratch;
   for (int round = 0; round < 4000; ++round) {

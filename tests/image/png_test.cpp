@@ -1,13 +1,11 @@
 // PNG: every colour type and filter from hand-made bytes, and every way to be at fault.
-#include "image/png.h"
-
 #include <filesystem>
 #include <random>
 
 #include "check.h"
-#include "image/checksum.h"
-#include "image/inflate.h"
+#include "image/deflate.h"
 #include "image/picture_file.h"
+#include "image/png_format.h"
 
 namespace {
 
@@ -25,7 +23,7 @@ Bytes chunk(const std::string& type, const Bytes& data) {
   append(typed, data);
   Bytes whole = bigEndian(std::uint32_t(data.size()));
   append(whole, typed);
-  append(whole, bigEndian(crc32(typed.data(), typed.size())));
+  append(whole, bigEndian(png::crc32(typed.data(), typed.size())));
   return whole;
 }
 
@@ -52,7 +50,7 @@ Bytes pack(const Bytes& rows) {
   return packed;
 }
 
-Bytes png(std::initializer_list<Bytes> chunks) {
+Bytes pngFile(std::initializer_list<Bytes> chunks) {
   Bytes file = {0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A};
   for (const Bytes& each : chunks) append(file, each);
   return file;
@@ -111,16 +109,16 @@ TEST("a small RGB file of another encoder is read, top row first") {
 }
 
 TEST("every colour type of 8 bits is read, alpha dropped") {
-  CHECK_EQUAL(decode(png({header(2, 1, 8, 0), imageData({0, 5, 200}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 8, 0), imageData({0, 5, 200}), end()})),
               "5 5 5, 200 200 200");
-  CHECK_EQUAL(decode(png({header(1, 2, 8, 2), imageData({0, 1, 2, 3, 0, 4, 5, 6}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(1, 2, 8, 2), imageData({0, 1, 2, 3, 0, 4, 5, 6}), end()})),
               "1 2 3 / 4 5 6");
-  CHECK_EQUAL(decode(png({header(3, 1, 8, 3), chunk("PLTE", {1, 2, 3, 4, 5, 6}),
-                          imageData({0, 1, 0, 1}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(3, 1, 8, 3), chunk("PLTE", {1, 2, 3, 4, 5, 6}),
+                              imageData({0, 1, 0, 1}), end()})),
               "4 5 6, 1 2 3, 4 5 6");
-  CHECK_EQUAL(decode(png({header(2, 1, 8, 4), imageData({0, 5, 0, 200, 255}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 8, 4), imageData({0, 5, 0, 200, 255}), end()})),
               "5 5 5, 200 200 200");
-  CHECK_EQUAL(decode(png({header(2, 1, 8, 6), imageData({0, 1, 2, 3, 0, 4, 5, 6, 9}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 8, 6), imageData({0, 1, 2, 3, 0, 4, 5, 6, 9}), end()})),
               "1 2 3, 4 5 6");
 }
 
@@ -132,7 +130,7 @@ TEST("each filter is undone") {
   const auto rows = [](const Bytes& first, const Bytes& second) {
     Bytes both = first;
     append(both, second);
-    return decode(png({header(4, 2, 8, 0), imageData(both), end()}));
+    return decode(pngFile({header(4, 2, 8, 0), imageData(both), end()}));
   };
   const Bytes plain = {0, 10, 20, 30, 25};
   CHECK_EQUAL(rows(plain, {0, 15, 40, 35, 50}), expected);
@@ -153,57 +151,60 @@ TEST("each filter is undone") {
 TEST("Paeth's ties go to left or above, not to the corner") {
   // The corner is 4. Left 2 and above 5 estimate 3: left and corner are 1 off, above 2.
   // The first pixel of the second row has no left: 4 + 254 = 2, modulo 256.
-  CHECK_EQUAL(decode(png({header(2, 2, 8, 0), imageData({0, 4, 5, 4, 254, 0}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(2, 2, 8, 0), imageData({0, 4, 5, 4, 254, 0}), end()})),
               "4 4 4, 5 5 5 / 2 2 2, 2 2 2");
   // Left 5 and above 2 estimate 3: above and corner are 1 off, left 2.
-  CHECK_EQUAL(decode(png({header(2, 2, 8, 0), imageData({0, 4, 2, 4, 1, 0}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(2, 2, 8, 0), imageData({0, 4, 2, 4, 1, 0}), end()})),
               "4 4 4, 2 2 2 / 5 5 5, 2 2 2");
 }
 
 TEST("filters reach back one whole pixel") {
   // Filter 1 on RGB and RGBA: the second pixel is the first plus (1, 2, 3).
-  CHECK_EQUAL(decode(png({header(2, 1, 8, 2), imageData({1, 10, 20, 30, 1, 2, 3}), end()})),
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 8, 2), imageData({1, 10, 20, 30, 1, 2, 3}), end()})),
               "10 20 30, 11 22 33");
-  CHECK_EQUAL(decode(png({header(2, 1, 8, 6), imageData({1, 10, 20, 30, 40, 1, 2, 3, 4}), end()})),
-              "10 20 30, 11 22 33");
-  CHECK_EQUAL(decode(png({header(2, 1, 8, 4), imageData({1, 10, 40, 1, 4}), end()})),
+  CHECK_EQUAL(
+      decode(pngFile({header(2, 1, 8, 6), imageData({1, 10, 20, 30, 40, 1, 2, 3, 4}), end()})),
+      "10 20 30, 11 22 33");
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 8, 4), imageData({1, 10, 40, 1, 4}), end()})),
               "10 10 10, 11 11 11");
 }
 
 TEST("image data may be split into chunks anywhere, and ancillary chunks are skipped") {
   const Bytes packed = pack({0, 5, 200});
   const Bytes head(packed.begin(), packed.begin() + 3), tail(packed.begin() + 3, packed.end());
-  const Bytes file = png({header(2, 1, 8, 0),
-                          chunk("gAMA", {0, 0, 0, 1}),
-                          chunk("tEXt", {'a'}),
-                          chunk("IDAT", head),
-                          chunk("IDAT", {}),
-                          chunk("IDAT", tail),
-                          chunk("tIME", {1, 2, 3}),
-                          end(),
-                          {1, 2, 3}});
+  const Bytes file = pngFile({header(2, 1, 8, 0),
+                              chunk("gAMA", {0, 0, 0, 1}),
+                              chunk("tEXt", {'a'}),
+                              chunk("IDAT", head),
+                              chunk("IDAT", {}),
+                              chunk("IDAT", tail),
+                              chunk("tIME", {1, 2, 3}),
+                              end(),
+                              {1, 2, 3}});
   CHECK_EQUAL(decode(file), "5 5 5, 200 200 200");
 }
 
 TEST("tRNS is accepted where it belongs and dropped") {
   const Bytes palette = chunk("PLTE", {1, 2, 3, 4, 5, 6});
-  CHECK_EQUAL(decode(png({header(1, 1, 8, 0), chunk("tRNS", {0, 5}), imageData({0, 5}), end()})),
-              "5 5 5");
-  CHECK_EQUAL(faultOf(png({header(1, 1, 8, 2), chunk("tRNS", {0, 5, 0, 5, 0, 5}),
-                           imageData({0, 5, 5, 5}), end()})),
+  CHECK_EQUAL(
+      decode(pngFile({header(1, 1, 8, 0), chunk("tRNS", {0, 5}), imageData({0, 5}), end()})),
+      "5 5 5");
+  CHECK_EQUAL(faultOf(pngFile({header(1, 1, 8, 2), chunk("tRNS", {0, 5, 0, 5, 0, 5}),
+                               imageData({0, 5, 5, 5}), end()})),
               "");
   CHECK_EQUAL(
-      faultOf(png({header(1, 1, 8, 3), palette, chunk("tRNS", {9}), imageData({0, 1}), end()})),
+      faultOf(pngFile({header(1, 1, 8, 3), palette, chunk("tRNS", {9}), imageData({0, 1}), end()})),
       "");
   const char* const kMisfit = "does not fit";
-  checkFault(png({header(1, 1, 8, 0), chunk("tRNS", {5}), imageData({0, 5}), end()}), kMisfit);
-  checkFault(png({header(1, 1, 8, 3), palette, chunk("tRNS", {9, 9, 9}), imageData({0, 1}), end()}),
+  checkFault(pngFile({header(1, 1, 8, 0), chunk("tRNS", {5}), imageData({0, 5}), end()}), kMisfit);
+  checkFault(
+      pngFile({header(1, 1, 8, 3), palette, chunk("tRNS", {9, 9, 9}), imageData({0, 1}), end()}),
+      kMisfit);
+  checkFault(pngFile({header(1, 1, 8, 4), chunk("tRNS", {0, 5}), imageData({0, 5, 5}), end()}),
              kMisfit);
-  checkFault(png({header(1, 1, 8, 4), chunk("tRNS", {0, 5}), imageData({0, 5, 5}), end()}),
+  checkFault(pngFile({header(1, 1, 8, 3), chunk("tRNS", {9}), palette, imageData({0, 1}), end()}),
              kMisfit);
-  checkFault(png({header(1, 1, 8, 3), chunk("tRNS", {9}), palette, imageData({0, 1}), end()}),
-             kMisfit);
-  checkFault(png({header(1, 1, 8, 0), imageData({0, 5}), chunk("tRNS", {0, 5}), end()}),
+  checkFault(pngFile({header(1, 1, 8, 0), imageData({0, 5}), chunk("tRNS", {0, 5}), end()}),
              "one tRNS");
 }
 
@@ -211,57 +212,57 @@ TEST("chunk order and lengths are checked") {
   const Bytes grey = header(1, 1, 8, 0), row = imageData({0, 5}),
               palette = chunk("PLTE", {1, 2, 3});
   const Bytes indexed = header(1, 1, 8, 3), index = imageData({0, 0});
-  CHECK_EQUAL(faultOf(png({grey, row, end()})), "");
-  CHECK_EQUAL(faultOf(png({indexed, palette, index, end()})), "");
-  checkFault(png({row, grey, end()}), "expected an IHDR chunk of 13 bytes first, found IDAT");
-  checkFault(png({chunk("IHDR", Bytes(12)), row, end()}), "found IHDR of 12");
-  checkFault(png({grey, grey, row, end()}), "critical chunk IHDR is unknown or out of place");
-  checkFault(png({grey, chunk("ABCD", {}), row, end()}), "critical chunk ABCD");
-  checkFault(png({grey, row, chunk("teXt", {}), row, end()}), "without a gap");
-  checkFault(png({grey, end()}), "expected image data before IEND");
-  checkFault(png({grey, row, chunk("IEND", {1})}), "empty IEND");
-  checkFault(png({grey, row}), "chunk length");
-  checkFault(png({grey, palette, row, end()}), "no PLTE chunk in a grey image");
+  CHECK_EQUAL(faultOf(pngFile({grey, row, end()})), "");
+  CHECK_EQUAL(faultOf(pngFile({indexed, palette, index, end()})), "");
+  checkFault(pngFile({row, grey, end()}), "expected an IHDR chunk of 13 bytes first, found IDAT");
+  checkFault(pngFile({chunk("IHDR", Bytes(12)), row, end()}), "found IHDR of 12");
+  checkFault(pngFile({grey, grey, row, end()}), "critical chunk IHDR is unknown or out of place");
+  checkFault(pngFile({grey, chunk("ABCD", {}), row, end()}), "critical chunk ABCD");
+  checkFault(pngFile({grey, row, chunk("teXt", {}), row, end()}), "without a gap");
+  checkFault(pngFile({grey, end()}), "expected image data before IEND");
+  checkFault(pngFile({grey, row, chunk("IEND", {1})}), "empty IEND");
+  checkFault(pngFile({grey, row}), "chunk length");
+  checkFault(pngFile({grey, palette, row, end()}), "no PLTE chunk in a grey image");
   const Bytes greyAlpha = header(1, 1, 8, 4), transparency = chunk("tRNS", {0, 5});
-  checkFault(png({greyAlpha, palette, imageData({0, 5, 5}), end()}), "no PLTE chunk in a grey");
-  checkFault(png({grey, transparency, transparency, row, end()}), "one tRNS");
-  checkFault(png({indexed, index, end()}), "expected PLTE before IDAT");
-  checkFault(png({indexed, palette, palette, index, end()}), "one PLTE");
-  checkFault(png({indexed, palette, index, palette, end()}), "one PLTE");
-  checkFault(png({indexed, chunk("PLTE", {1, 2}), index, end()}), "found 2 bytes");
-  checkFault(png({indexed, chunk("PLTE", {}), index, end()}), "found 0 bytes");
-  checkFault(png({indexed, chunk("PLTE", Bytes(771)), index, end()}), "found 771 bytes");
-  checkFault(png({grey, chunk("a1cd", {}), row, end()}), "four letters");
-  checkFault(png({grey, {0x80, 0, 0, 0, 'I', 'D', 'A', 'T'}}), "below 2^31");
-  Bytes wrongSum = png({grey, row, end()});
+  checkFault(pngFile({greyAlpha, palette, imageData({0, 5, 5}), end()}), "no PLTE chunk in a grey");
+  checkFault(pngFile({grey, transparency, transparency, row, end()}), "one tRNS");
+  checkFault(pngFile({indexed, index, end()}), "expected PLTE before IDAT");
+  checkFault(pngFile({indexed, palette, palette, index, end()}), "one PLTE");
+  checkFault(pngFile({indexed, palette, index, palette, end()}), "one PLTE");
+  checkFault(pngFile({indexed, chunk("PLTE", {1, 2}), index, end()}), "found 2 bytes");
+  checkFault(pngFile({indexed, chunk("PLTE", {}), index, end()}), "found 0 bytes");
+  checkFault(pngFile({indexed, chunk("PLTE", Bytes(771)), index, end()}), "found 771 bytes");
+  checkFault(pngFile({grey, chunk("a1cd", {}), row, end()}), "four letters");
+  checkFault(pngFile({grey, {0x80, 0, 0, 0, 'I', 'D', 'A', 'T'}}), "below 2^31");
+  Bytes wrongSum = pngFile({grey, row, end()});
   wrongSum.back() ^= 1;
   checkFault(wrongSum, "CRC-32 checksum of chunk IEND is wrong");
 }
 
 TEST("a palette index out of range is an error") {
   checkFault(
-      png({header(2, 1, 8, 3), chunk("PLTE", {1, 2, 3, 4, 5, 6}), imageData({0, 1, 2}), end()}),
+      pngFile({header(2, 1, 8, 3), chunk("PLTE", {1, 2, 3, 4, 5, 6}), imageData({0, 1, 2}), end()}),
       "expected a palette index below 2, found 2");
 }
 
 TEST("more or less data than the picture needs is an error") {
-  checkFault(png({header(2, 1, 8, 0), imageData({0, 5}), end()}),
+  checkFault(pngFile({header(2, 1, 8, 0), imageData({0, 5}), end()}),
              "expected 3 bytes of image data, found 2");
-  checkFault(png({header(2, 1, 8, 0), imageData({0, 5, 5, 5}), end()}),
+  checkFault(pngFile({header(2, 1, 8, 0), imageData({0, 5, 5, 5}), end()}),
              "more than the expected 3 bytes");
-  checkFault(png({header(1, 1, 8, 0), imageData({5, 5}), end()}),
+  checkFault(pngFile({header(1, 1, 8, 0), imageData({5, 5}), end()}),
              "expected a filter of 0 to 4, found 5");
-  checkFault(png({header(1, 1, 8, 0), chunk("IDAT", {}), end()}), "ends too early");
+  checkFault(pngFile({header(1, 1, 8, 0), chunk("IDAT", {}), end()}), "ends too early");
   Bytes badSum = pack({0, 5});
   badSum.back() ^= 1;
-  checkFault(png({header(1, 1, 8, 0), chunk("IDAT", badSum), end()}), "Adler-32");
+  checkFault(pngFile({header(1, 1, 8, 0), chunk("IDAT", badSum), end()}), "Adler-32");
 }
 
 TEST("compression and filter methods other than 0 are an error") {
   // Width 1, height 1, 8 bits, grey; then compression, filter and interlace method.
   const auto picture = [](std::uint8_t compression, std::uint8_t filter) {
     const Bytes head = {0, 0, 0, 1, 0, 0, 0, 1, 8, 0, compression, filter, 0};
-    return png({chunk("IHDR", head), imageData({0, 5}), end()});
+    return pngFile({chunk("IHDR", head), imageData({0, 5}), end()});
   };
   CHECK_EQUAL(faultOf(picture(0, 0)), "");
   checkFault(picture(1, 0), "expected compression and filter method 0, found 1 and 0");
@@ -269,17 +270,17 @@ TEST("compression and filter methods other than 0 are an error") {
 }
 
 TEST("what is not supported says so") {
-  checkFault(png({header(1, 1, 16, 2), imageData({0}), end()}),
+  checkFault(pngFile({header(1, 1, 16, 2), imageData({0}), end()}),
              "16 bits per sample are not supported");
   for (const unsigned depth : {1u, 2u, 4u}) {
-    checkFault(png({header(1, 1, depth, 0), imageData({0, 0}), end()}),
+    checkFault(pngFile({header(1, 1, depth, 0), imageData({0, 0}), end()}),
                std::to_string(depth) + " bits per sample are not supported");
   }
-  checkFault(png({header(1, 1, 8, 0, 1), imageData({0, 0}), end()}),
+  checkFault(pngFile({header(1, 1, 8, 0, 1), imageData({0, 0}), end()}),
              "interlaced PNG images are not supported");
-  checkFault(png({header(1, 1, 8, 0, 2), imageData({0, 0}), end()}), "interlace method");
+  checkFault(pngFile({header(1, 1, 8, 0, 2), imageData({0, 0}), end()}), "interlace method");
   for (const unsigned colorType : {1u, 5u, 7u}) {
-    checkFault(png({header(1, 1, 8, colorType), imageData({0, 0}), end()}),
+    checkFault(pngFile({header(1, 1, 8, colorType), imageData({0, 0}), end()}),
                "expected a colour type of 0, 2, 3, 4 or 6, found " + std::to_string(colorType));
   }
   checkFault({'G', 'I', 'F', '8', '9', 'a', 0, 0, 0}, "expected the signature of a PNG file");
@@ -287,12 +288,12 @@ TEST("what is not supported says so") {
 }
 
 TEST("a size of 0, or one that the file cannot hold, is an error before memory is asked for") {
-  checkFault(png({header(0, 1, 8, 0), imageData({0}), end()}), "width and height of 1");
-  checkFault(png({header(1, 0, 8, 0), imageData({0}), end()}), "width and height of 1");
-  checkFault(png({header(0x80000000u, 1, 8, 0), imageData({0}), end()}), "2^31 - 1");
-  checkFault(png({header(0x7FFFFFFF, 0x7FFFFFFF, 8, 6), imageData({0}), end()}),
+  checkFault(pngFile({header(0, 1, 8, 0), imageData({0}), end()}), "width and height of 1");
+  checkFault(pngFile({header(1, 0, 8, 0), imageData({0}), end()}), "width and height of 1");
+  checkFault(pngFile({header(0x80000000u, 1, 8, 0), imageData({0}), end()}), "2^31 - 1");
+  checkFault(pngFile({header(0x7FFFFFFF, 0x7FFFFFFF, 8, 6), imageData({0}), end()}),
              "expected the data of");
-  checkFault(png({header(30000, 30000, 8, 2), imageData(Bytes(1000)), end()}),
+  checkFault(pngFile({header(30000, 30000, 8, 2), imageData(Bytes(1000)), end()}),
              "expected the data of");
 }
 
@@ -325,7 +326,8 @@ TEST("damage behind right checksums ends in an error or a picture") {
     const unsigned type = types[random() % 5];
     const Bytes palette = type == 3 ? chunk("PLTE", Bytes(3 * (1 + random() % 256))) : Bytes{};
     const unsigned width = side(), height = side();
-    const Bytes file = png({header(width, height, 8, type), palette, chunk("IDAT", packed), end()});
+    const Bytes file =
+        pngFile({header(width, height, 8, type), palette, chunk("IDAT", packed), end()});
     (faultOf(file).empty() ? read : refused)++;
   }
   CHECK(read + refused == 20000);

@@ -1,13 +1,11 @@
 // TGA: the bytes that are written, and every variant that is read.
-#include "image/tga.h"
-
 #include <filesystem>
 #include <fstream>
 
 #include "check.h"
+#include "encoded.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
-#include "image/png.h"
 
 namespace {
 
@@ -95,11 +93,11 @@ TEST("a 2 x 2 image is written as 18 header bytes and BGR, top row first") {
   image.setPixel(1, 0, Rgb8{10, 11, 12});
   const Bytes expected = {0, 0,  2,    0, 0, 0, 0, 0, 0, 0, 0, 0, 2,  0,  2,
                           0, 24, 0x20, 3, 2, 1, 6, 5, 4, 9, 8, 7, 12, 11, 10};
-  CHECK(encodeTga(image) == expected);
+  CHECK(encoded::tga(image) == expected);
 }
 
 TEST("width and height are stored with the low byte first") {
-  const Bytes bytes = encodeTga(Image(258, 515));  // 2 + 1 * 256, 3 + 2 * 256
+  const Bytes bytes = encoded::tga(Image(258, 515));  // 2 + 1 * 256, 3 + 2 * 256
   CHECK(Bytes(bytes.begin() + 12, bytes.begin() + 16) == (Bytes{2, 1, 3, 2}));
   CHECK_EQUAL(bytes.size(), 18u + 3 * 258 * 515);
 }
@@ -110,8 +108,8 @@ TEST("an image that is written and read again is the same") {
     image.setPixel(i % 65, i / 65, Rgb8{std::uint8_t(i), std::uint8_t(i / 3), std::uint8_t(7 * i)});
   }
   const std::string path = check::temporaryFolder() + "/round_trip.tga";
-  writeTga(image, path);
-  CHECK_EQUAL(shown(readTga(path)), shown(image));
+  writePicture(image, path);
+  CHECK_EQUAL(shown(readImage(path)), shown(image));
   CHECK_EQUAL(shown(readImage(path)), shown(image));
   CHECK_EQUAL(std::filesystem::file_size(path), 18u + 3 * 65 * 7);
 }
@@ -119,10 +117,10 @@ TEST("an image that is written and read again is the same") {
 TEST("an image too wide for 16 bits is an error, and writes nothing") {
   const std::string path = check::temporaryFolder() + "/too_wide.tga";
   std::filesystem::remove(path);
-  CHECK_THROWS(writeTga(Image(65536, 1), path), OutputError);
+  CHECK_THROWS(writePicture(Image(65536, 1), path), OutputError);
   CHECK(!std::filesystem::exists(path));
-  writeTga(Image(65535, 1), path);
-  CHECK_EQUAL(readTga(path).Width(), 65535);
+  writePicture(Image(65535, 1), path);
+  CHECK_EQUAL(readImage(path).Width(), 65535);
 }
 
 TEST("the descriptor says in which corner the pixels begin") {
@@ -333,10 +331,10 @@ TEST("a huge size that the file cannot hold is an error before memory is asked f
 
 TEST("a missing file and a folder are errors that name them") {
   const std::string missing = check::temporaryFolder() + "/no_such_picture.tga";
-  CHECK_THROWS(readTga(missing), ImageError);
+  CHECK_THROWS(readImage(missing), ImageError);
   CHECK_THROWS(readImage(check::temporaryFolder()), ImageError);
   try {
-    readTga(missing);
+    readImage(missing);
   } catch (const ImageError& error) {
     CHECK_EQUAL(std::string(error.what()), missing + ": No such file or directory");
   }

@@ -2,7 +2,7 @@
 #include "render/pixel_trace.h"
 
 #include "check.h"
-#include "image/float_image.h"
+#include "image/image.h"
 #include "render/renderer.h"
 #include "scene_text.h"
 

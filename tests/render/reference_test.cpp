@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "check.h"
-#include "image/difference.h"
-#include "image/png.h"
+#include "image/picture_file.h"
+#include "image_difference.h"
 #include "render/renderer.h"
 
 namespace {
@@ -89,7 +89,7 @@ Image renderRow(const Row& row, int width, int height) {
 double percent(std::size_t part, std::size_t whole) { return 100.0 * double(part) / double(whole); }
 
 void compare(const Row& row) {
-  const Image published = readPng(check::referenceFolder() + "/pictures/" + row.picture + ".png");
+  const Image published = readImage(check::referenceFolder() + "/pictures/" + row.picture + ".png");
   const Image ours = renderRow(row, published.Width(), published.Height());
   const ImageDifference difference = compareImages(ours, published);
   const auto share = [&](int level) {

@@ -1,8 +1,10 @@
-// TemporaryNames: the signal handler that leaves no temporary file, and what it reads.
+// What signals do to outputs that are not finished: their temporary files are removed.
 // The one exception to "no globals": a signal handler receives nothing but a number, and may use
-// neither locks nor the heap, so that what it needs can only stand in static memory.
-#include "image/temporary_names.h"
-
+// neither locks nor the heap, so that what it needs can only stand in static memory: the names of
+// the temporary files, in slots. A file is created and its name noted while all signals are blocked
+// in that thread, and a handler in another thread waits for it (`isChanging`); once a handler has
+// begun (`isEnding`) nothing is created any more. A slot is free again as soon as its file has been
+// renamed or removed.
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -27,31 +29,30 @@ using Flag = std::atomic<int>;
 static_assert(Flag::is_always_lock_free, "used in a signal handler");
 
 struct Slot {
-  Flag taken{false};
+  Flag isTaken{false};
   char name[PATH_MAX] = {};
 };
 
 Slot slots[kMostTemporaries];
-Flag changing{false};    // a thread is creating a file and noting its name
-Flag lineIsOpen{false};  // on standard error
-Flag ending{false};      // a handler has begun: nothing may be created any more
+Flag isChanging{false};  // a thread is creating a file and noting its name
+Flag isLineOpenNow{false};
+Flag isEnding{false};
 
-/// Blocks all signals in this thread and keeps handlers in other threads waiting, so that a file
-/// is created and noted, or neither.
+/// As long as it lives, a file is created and noted, or neither.
 class NoSignalsHere {
  public:
   NoSignalsHere() {
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before_);
-    while (changing.exchange(true) || ending) {
-      if (!ending) continue;
-      changing = false;  // which the handler, in another thread, waits for
-      pause();           // until its _exit
+    while (isChanging.exchange(true) || isEnding) {
+      if (!isEnding) continue;
+      isChanging = false;  // which the handler, in another thread, waits for
+      pause();             // until its _exit
     }
   }
   ~NoSignalsHere() {
-    changing = false;
+    isChanging = false;
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
   NoSignalsHere(const NoSignalsHere&) = delete;
@@ -61,8 +62,8 @@ class NoSignalsHere {
   sigset_t before_;
 };
 
-std::atomic<int> passedTo{-1};  // who wants to hear of signals
-std::atomic<int> passing{0};    // handlers that are just writing there
+Flag passedTo{-1};  // the descriptor of who wants to hear of signals
+Flag passing{0};    // handlers that are just writing there
 // When the first signal was passed, in ms; 0: none was. The clock begins again at 0 after 49 days,
 // as differences of unsigned numbers do: a long of 32 bits would overflow after half of that.
 using Milliseconds = std::uint32_t;
@@ -74,7 +75,7 @@ static_assert(std::atomic<Milliseconds>::is_always_lock_free, "used in a signal 
 bool pass(int signal) {
   ++passing;
   const int descriptor = passedTo;
-  bool passed = false;
+  bool isPassed = false;
   struct timespec now = {};
   if (descriptor >= 0 && clock_gettime(CLOCK_MONOTONIC, &now) == 0) {
     const Milliseconds time = std::max(
@@ -82,10 +83,16 @@ bool pass(int signal) {
     Milliseconds first = 0;
     if (firstPass.compare_exchange_strong(first, time)) first = time;
     const auto byte = static_cast<unsigned char>(signal);
-    passed = time - first <= kPatience && write(descriptor, &byte, 1) == 1;
+    isPassed = time - first <= kPatience && write(descriptor, &byte, 1) == 1;
   }
   --passing;
-  return passed;
+  return isPassed;
+}
+
+void removeTemporaries() {
+  for (const Slot& slot : slots) {
+    if (slot.isTaken) unlink(slot.name);
+  }
 }
 
 extern "C" void passOrEnd(int signal) {
@@ -96,17 +103,14 @@ extern "C" void passOrEnd(int signal) {
 
 /// For crashes: SA_RESETHAND has put the default action back, which the second signal meets.
 extern "C" void removeAndCrash(int signal) {
-  for (const Slot& slot : slots) {
-    if (slot.taken) unlink(slot.name);
-  }
+  removeTemporaries();
   raise(signal);
 }
 
 void install(int signal, void (*handler)(int), int flags) {
-  struct sigaction before = {};
+  struct sigaction before = {}, action = {};
   sigaction(signal, nullptr, &before);
   if (before.sa_handler == SIG_IGN) return;  // nohup, or a background job of a plain shell
-  struct sigaction action = {};
   action.sa_handler = handler;
   action.sa_flags = flags;
   sigfillset(&action.sa_mask);
@@ -115,23 +119,23 @@ void install(int signal, void (*handler)(int), int flags) {
 
 }  // namespace
 
-int createTemporary(const std::string& name, unsigned permissions, int& slot) {
+void OutputFile::createTemporary(unsigned permissions) {
   const NoSignalsHere guard;
-  errno = EMFILE;
-  int free = 0;
-  while (free < kMostTemporaries && slots[free].taken) ++free;
-  if (free == kMostTemporaries) return -1;
-  errno = ENAMETOOLONG;
-  if (name.size() >= sizeof slots[free].name) return -1;
-  const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
-  if (descriptor < 0) return -1;
-  std::memcpy(slots[free].name, name.c_str(), name.size() + 1);
-  slots[free].taken = true;
-  slot = free;
-  return descriptor;
+  Slot* const free = std::find_if(std::begin(slots), std::end(slots),
+                                  [](const Slot& slot) { return slot.isTaken == 0; });
+  errno = free == std::end(slots) ? EMFILE : ENAMETOOLONG;
+  if (free == std::end(slots) || temporary_.size() >= sizeof free->name) return;
+  descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+  if (descriptor_ < 0) return;
+  std::memcpy(free->name, temporary_.c_str(), temporary_.size() + 1);
+  free->isTaken = true;
+  slot_ = static_cast<int>(free - slots);
 }
 
-void forgetTemporary(int slot) { slots[slot].taken = false; }
+void OutputFile::forgetTemporary() {
+  slots[slot_].isTaken = false;
+  slot_ = -1;
+}
 
 void passSignalsTo(int descriptor) {
   passedTo = descriptor;
@@ -140,24 +144,22 @@ void passSignalsTo(int descriptor) {
 }
 
 void endOnSignal(int signal) {
-  ending = true;
-  while (changing) {
+  isEnding = true;
+  while (isChanging) {
   }
-  for (const Slot& slot : slots) {
-    if (slot.taken) unlink(slot.name);
-  }
+  removeTemporaries();
   struct pollfd errors = {STDERR_FILENO, POLLOUT, 0};  // a pipe that nobody reads may be full
-  const bool takesMore = lineIsOpen && poll(&errors, 1, 0) == 1 && (errors.revents & POLLOUT) != 0;
+  const bool takesMore =
+      isLineOpen() && poll(&errors, 1, 0) == 1 && (errors.revents & POLLOUT) != 0;
   if (takesMore && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
   _exit(128 + signal);
 }
 
-void setLineOpen(bool isOpen) { lineIsOpen = isOpen; }
-
-bool isLineOpen() { return lineIsOpen; }
+void setLineOpen(bool isOpen) { isLineOpenNow = isOpen; }
+bool isLineOpen() { return isLineOpenNow; }
 
 void waitIfEnding() {
-  while (ending) pause();
+  while (isEnding) pause();
 }
 
 void removeTemporaryOnSignals() {

@@ -1,0 +1,183 @@
+// PPM, PGM and PFM: a head of words (the kind, width, height, and the largest sample or, of floats,
+// a scale), one white space, then the samples, as bytes or as decimal numbers.
+//   P2, P3   grey and colours in decimal numbers, with white space between
+//   P5, P6   grey and colours in bytes; two each, the high one first, where the largest is over 255
+//   Pf, PF   grey and colours in floats of 32 bits; a scale below 0 says that low bytes come first
+// A row stands from the left; the top row comes first, but of floats the bottom one.
+#include <cstring>
+
+#include "image/picture_file.h"
+
+namespace {
+
+constexpr unsigned kMostSide = 0x7FFFFFFF, kMostSample = 65535;
+
+bool isSpace(unsigned c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool isDigit(unsigned c) { return c >= '0' && c <= '9'; }
+
+Bytes headOf(const std::string& kind, int width, int height, const std::string& range) {
+  const std::string head =
+      kind + "\n" + std::to_string(width) + " " + std::to_string(height) + "\n" + range + "\n";
+  return {head.begin(), head.end()};
+}
+
+class NetpbmReader {
+ public:
+  NetpbmReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
+
+  Image read() {
+    const unsigned kind = reader_.take(2, "kind of picture")[1];
+    if (kind == '1' || kind == '4' || kind == '7') {
+      reader_.fail("P", char(kind), " pictures are not supported, only P2, P3, P5, P6, PF and Pf");
+    }
+    isFloat_ = kind == 'F' || kind == 'f';
+    isText_ = kind == '2' || kind == '3';
+    isGrey_ = kind != '3' && kind != '6' && kind != 'F';
+    const unsigned width = takeNumber("width", 1, kMostSide);
+    const unsigned height = takeNumber("height", 1, kMostSide);
+    if (isFloat_) {
+      takeScale();
+    } else {
+      maximum_ = takeNumber("maximum", 1, kMostSample);
+    }
+    if (!isSpace(reader_.takeByte("end of the head"))) {
+      reader_.fail("expected a line break behind the head");
+    }
+    // A number takes at least a digit and a blank, but for the last one.
+    const std::size_t size = isText_ ? 2 : isFloat_ ? 4 : maximum_ > 255 ? 2 : 1;
+    const std::size_t room = reader_.remaining() + (isText_ ? 1 : 0);
+    reader_.checkSize(width, height, room / (size * (isGrey_ ? 1 : 3)), reader_.remaining());
+    return takePixels(static_cast<int>(width), static_cast<int>(height));
+  }
+
+ private:
+  /// The file goes on with a byte of this kind.
+  bool isNext(bool (*kind)(unsigned)) const {
+    return reader_.remaining() > 0 && kind(reader_.peek());
+  }
+
+  /// A PFM has no comments: its # is a fault of the number that should stand there.
+  void skipSpaceAndComments() {
+    const auto inLine = [](unsigned c) { return c != '\n' && c != '\r'; };
+    while (isNext([](unsigned c) { return isSpace(c) || c == '#'; })) {
+      if (reader_.peek() == '#' && isFloat_) return;
+      const bool isComment = reader_.takeByte("blank") == '#';
+      while (isComment && isNext(inLine)) reader_.takeByte("comment");
+    }
+  }
+
+  /// A decimal number; at most one digit is taken too many, so that it cannot overflow.
+  unsigned takeNumber(const char* what, unsigned least, unsigned most) {
+    skipSpaceAndComments();
+    const bool isThere = isNext(isDigit);
+    std::uint64_t value = 0;
+    while (isNext(isDigit) && value <= most) value = value * 10 + reader_.takeByte("number") - '0';
+    if (!isThere || value < least || value > most) {
+      reader_.fail("expected a ", what, " of ", least, " to ", most, ", found ",
+                   isThere ? std::to_string(value) : "none");
+    }
+    return static_cast<unsigned>(value);
+  }
+
+  /// A number such as -1.0, of which only the sign counts: below 0 the low byte comes first.
+  void takeScale() {
+    skipSpaceAndComments();
+    std::string word;
+    while (isNext([](unsigned c) { return !isSpace(c); }) && word.size() < 64) {
+      word += static_cast<char>(reader_.takeByte("scale"));
+    }
+    const bool isNumber = word.find_first_of("0123456789") != std::string::npos &&
+                          word.find_first_not_of("+-.0123456789eE") == std::string::npos;
+    if (!isNumber) reader_.fail("expected a scale such as -1");
+    isLowFirst_ = word[0] == '-';
+  }
+
+  /// The top row comes first, but of floats the bottom one.
+  Image takePixels(int width, int height) {
+    Image image(width, height);
+    for (int row = 0; row < height; ++row) {
+      for (int x = 0; x < width; ++x) {
+        Rgb8 pixel;
+        pixel.r = takeSample();
+        pixel.g = isGrey_ ? pixel.r : takeSample();
+        pixel.b = isGrey_ ? pixel.r : takeSample();
+        image.setPixel(x, isFloat_ ? row : height - 1 - row, pixel);
+      }
+    }
+    return image;
+  }
+
+  /// As a byte: a sample s of at most m as 255 s / m, rounded to nearest.
+  std::uint8_t takeSample() {
+    if (isFloat_) return byteFromComponent(takeFloat());
+    unsigned value = 0;
+    if (isText_) {
+      value = takeNumber("sample", 0, maximum_);
+    } else {
+      value = reader_.takeByte("sample");
+      if (maximum_ > 255) value = value * 256 + reader_.takeByte("sample");
+      if (value > maximum_) {
+        reader_.fail("expected a sample of at most ", maximum_, ", found ", value);
+      }
+    }
+    return static_cast<std::uint8_t>((value * 255 + maximum_ / 2) / maximum_);
+  }
+
+  float takeFloat() {
+    const std::uint8_t* const b = reader_.take(4, "sample");
+    const std::uint8_t turned[4] = {b[3], b[2], b[1], b[0]};
+    const std::uint32_t bits = bigEndian32(isLowFirst_ ? turned : b);
+    float value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+
+  ByteReader reader_;
+  bool isFloat_ = false, isText_ = false, isGrey_ = false, isLowFirst_ = false;
+  unsigned maximum_ = 255;
+};
+
+}  // namespace
+
+void encodePpm(const Image& image, const Sink& sink) {
+  sink(headOf("P6", image.Width(), image.Height(), "255"));
+  for (int y = image.Height() - 1; y >= 0; --y) {
+    Bytes row;
+    for (int x = 0; x < image.Width(); ++x) {
+      const Rgb8 pixel = image.getPixel(x, y);
+      row.insert(row.end(), {pixel.r, pixel.g, pixel.b});
+    }
+    sink(row);
+  }
+}
+
+void encodePfm(int width, int height, const std::function<Vec3f(int x, int y)>& colorOf,
+               const Sink& sink) {
+  sink(headOf("PF", width, height, "-1"));
+  for (int y = 0; y < height; ++y) {
+    Bytes row;
+    for (int x = 0; x < width; ++x) {
+      const Vec3f color = colorOf(x, y);
+      for (const float component : {color.r(), color.g(), color.b()}) {
+        static_assert(sizeof(float) == 4);
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &component, sizeof bits);
+        for (int shift = 0; shift < 32; shift += 8) {
+          row.push_back(static_cast<std::uint8_t>(bits >> shift & 255));
+        }
+      }
+    }
+    sink(row);
+  }
+}
+
+bool isNetpbm(const Bytes& bytes) {
+  if (bytes.size() < 3 || bytes[0] != 'P') return false;
+  const bool isKind = (bytes[1] >= '1' && bytes[1] <= '7') || bytes[1] == 'F' || bytes[1] == 'f';
+  return isKind && (isSpace(bytes[2]) || bytes[2] == '#');
+}
+
+Image decodeNetpbm(const Bytes& bytes, const std::string& name) {
+  if (!isNetpbm(bytes)) throw ImageError(name, "expected a PPM or PFM file");
+  return NetpbmReader(bytes, name).read();
+}
