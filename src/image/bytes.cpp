@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "system/open_file.h"
+#include "system/files.h"
 
 Bytes readBytes(const std::string& path) {
   constexpr std::size_t kStep = 65536;

@@ -1,0 +1,62 @@
+// Traces the rays of samples and hands over their colours, as many for each pixel as the sampler
+// has, or fewer where colours agree.
+#pragma once
+#include <functional>
+
+#include "camera/camera.h"
+#include "math/vec3.h"
+#include "render/image_plane.h"
+#include "render/sampler.h"
+#include "render/wave_tracer.h"
+
+/// A camera and the size of the whole picture that it takes, in pixels. The camera is not owned.
+struct PictureView {
+  const Camera& camera;
+  int width, height;
+
+  /// Makes of a new ray the one that the camera sends through a sample's place.
+  void setEyeRay(const Sample& sample, TracedRay& eye) const {
+    eye.ray = camera.generateRay(imagePoint(sample.at.i + sample.offset.x(),
+                                            sample.at.j + sample.offset.y(), width, height));
+    eye.tmin = camera.getTMin();
+  }
+};
+
+/// The colour of one sample, its rays traced one after the other: for those who watch the tracer.
+Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample);
+
+/// What samples come of. Nothing is owned.
+struct SampleSource {
+  const PictureView& view;
+  const WaveTracer& tracer;
+  const Sampler& sampler;
+  double tolerance;  ///< as SamplingOptions has it
+};
+
+/// The least and the greatest of some colours, each component on its own, clamped to 0..1.
+class ColorRange {
+ public:
+  /// A component that is NaN counts as 0, as which it is shown.
+  void add(const Vec3f& color);
+  void add(const ColorRange& other);
+  /// The largest difference in a component; below 0 before anything was added.
+  double width() const;
+
+ private:
+  Vec3f low_{1, 1, 1}, high_{-1, -1, -1};
+};
+
+/// Takes a sample, its colour, and the factor >= 1 that makes up for its pixel's having fewer
+/// samples than another may have.
+using SampleReceiver = std::function<void(const Sample& sample, const Vec3f& color, double share)>;
+
+/// Takes the samples of the pixels in `area`, which may lie outside of the picture, and hands them
+/// to `receiver`: pixels as in pixelsInOrder, the samples of each by number. Where the sampler is
+/// adaptive, pixels in which, or around which, colours differ by more than the tolerance get more
+/// of them; then the first samples of the pixels next to `area` are traced too.
+void takeSamples(const SampleSource& source, const PixelRectangle& area,
+                 const SampleReceiver& receiver);
+
+/// About how many bytes takeSamples needs for each of the first samples, where the sampler is
+/// adaptive.
+inline constexpr std::size_t kBytesPerSample = 32;
