@@ -1,5 +1,15 @@
-// Prepares a packet of rays whose lines pass one point.
-#include "accel/prepare_packet.h"
+// Ray parameters rounded outwards, and packets.
+//
+// How a packet is prepared. All its lines pass one point (up to a spread, which widens the reach),
+// so in the tree's normalised space
+//   1. the point is moved there; the reach, the largest distance from it to a corner of the tree's
+//      box, decides the error bounds: beyond kFarthest they would leave too many rays open;
+//   2. directions are scaled by one power of two for all rays, so that the largest component is
+//      about 1; all must lie in one octant, away from its borders, so that one node's near and far
+//      planes are the same for all of them and interval arithmetic on the reciprocals is tight;
+//   3. tmin and tmax are counted from the point and rounded both ways, down and up;
+//   4. up to the next multiple of 16 the packet is filled with rays that can hit nothing.
+#include "accel/prepare_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +20,8 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr double kRounding = 0x1p-24;
+/// Half of what a float holds, so that what is added to it is held as well.
+constexpr float kHalfOfMost = 0x1p127f;
 /// Seen from further away, in sizes of the tree, too many rays would stay open.
 constexpr double kFarthest = 64;
 
@@ -95,6 +107,15 @@ void setPoint(const Vec3d& point, double reach, RayPacket& packet) {
 }
 
 }  // namespace
+
+float ParameterMap::below(double t) const {
+  const double x = t * scale - shift;
+  if (x > kHalfOfMost) return kHalfOfMost;
+  if (x < -kHalfOfMost) return -kInf;
+  return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
+}
+
+float ParameterMap::above(double t) const { return -ParameterMap{-scale, -shift}.below(t); }
 
 bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
   const Vec3d point = (beam.point - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;
