@@ -28,7 +28,7 @@ namespace {
 /// Up to this many objects are asked one by one: a tree would not pay.
 constexpr std::size_t kFewObjects = 3;
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 /// The box of a box's corners under a Transform.
 BoundingBox movedBox(const Transform& transform, const BoundingBox& inside) {
@@ -157,9 +157,9 @@ void setTransformError(const TransformError& error, WideBvh& bvh) {
 BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, LeafKind kind) {
   BuildItem item{};
   for (int axis = 0; axis < 3; ++axis) {
-    item.low[axis] = std::nextafter(float((box.low()[axis] - bvh.anchor[axis]) * bvh.scale), -kInf);
-    item.high[axis] =
-        std::nextafter(float((box.high()[axis] - bvh.anchor[axis]) * bvh.scale), kInf);
+    const double anchor = bvh.anchor[axis], scale = bvh.scale;
+    item.low[axis] = std::nextafter(float((box.low()[axis] - anchor) * scale), -kFloatInfinity);
+    item.high[axis] = std::nextafter(float((box.high()[axis] - anchor) * scale), kFloatInfinity);
   }
   item.id = id;
   item.kind = kind;

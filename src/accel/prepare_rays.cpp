@@ -18,7 +18,7 @@
 namespace accel {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kRounding = 0x1p-24;
 /// Half of what a float holds, so that what is added to it is held as well.
 constexpr float kHalfOfMost = 0x1p127f;
@@ -27,15 +27,15 @@ constexpr double kFarthest = 64;
 
 /// A float surely not above t.
 inline float below(double t) {
-  constexpr double kMost = double(std::numeric_limits<float>::max());
-  const double limited = t < kMost ? t : kMost;
+  constexpr double kLargest = double(std::numeric_limits<float>::max());
+  const double limited = t < kLargest ? t : kLargest;
   return float(limited - std::fabs(limited) * (2 * kRounding));
 }
 
 inline float above(double t) { return -below(-t); }
 
 struct Extremes {
-  float least = kInf, most = -kInf;
+  float least = kInfinity, most = -kInfinity;
 
   Extremes(const float* values, int count) {
     for (int i = 0; i < count; ++i) {
@@ -87,8 +87,8 @@ void fillUp(RayPacket& packet, int count) {
       packet.direction[axis][i] = packet.direction[axis][0];
       packet.reciprocal[axis][i] = packet.reciprocal[axis][0];
     }
-    packet.tminDown[i] = packet.tminUp[i] = kInf;
-    packet.tmaxDown[i] = packet.tmaxUp[i] = -kInf;
+    packet.tminDown[i] = packet.tminUp[i] = kInfinity;
+    packet.tmaxDown[i] = packet.tmaxUp[i] = -kInfinity;
     packet.leafBits[i] = packet.laneBits[i] = 0;
   }
 }
@@ -111,7 +111,7 @@ void setPoint(const Vec3d& point, double reach, RayPacket& packet) {
 float ParameterMap::below(double t) const {
   const double x = t * scale - shift;
   if (x > kHalfOfMost) return kHalfOfMost;
-  if (x < -kHalfOfMost) return -kInf;
+  if (x < -kHalfOfMost) return -kInfinity;
   return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
 }
 

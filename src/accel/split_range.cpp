@@ -26,7 +26,7 @@ struct Sides {
 };
 
 /// Large ranges are partitioned in chunks of so many items, whatever the number of threads.
-constexpr std::size_t kChunk = 16384;
+constexpr std::size_t kItemsPerChunk = 16384;
 
 /// Items in a gap. Reading so many before the next decision where to read hides its latency.
 constexpr std::size_t kGap = 16;
@@ -97,7 +97,7 @@ void exchangeMisplaced(BuildItem* items, const std::vector<Chunk>& chunks, std::
   std::vector<Exchange> exchanges;
   for (std::size_t i = 0, j = 0; i < early.size() && j < late.size();) {
     const std::size_t count =
-        std::min({early[i].end - early[i].begin, late[j].end - late[j].begin, kChunk});
+        std::min({early[i].end - early[i].begin, late[j].end - late[j].begin, kItemsPerChunk});
     exchanges.push_back({early[i].begin, late[j].begin, count});
     if ((early[i].begin += count) == early[i].end) ++i;
     if ((late[j].begin += count) == late[j].end) ++j;
@@ -141,11 +141,11 @@ Sides partitionChunk(BuildItem* items, std::size_t count, const Split& split) {
 /// The same with all threads of `pool`, chunk by chunk; the boxes are measured on the way.
 Sides partitionAndMeasure(BuildItem* items, std::size_t count, const Split& split,
                           ThreadPool& pool) {
-  const std::size_t chunkCount = (count + kChunk - 1) / kChunk;
+  const std::size_t chunkCount = (count + kItemsPerChunk - 1) / kItemsPerChunk;
   std::vector<Chunk> chunks(chunkCount);
   std::vector<Sides> sides(chunkCount);
   pool.forEachIndex(chunkCount, [&](std::size_t i) {
-    const std::size_t begin = i * kChunk, end = std::min(begin + kChunk, count);
+    const std::size_t begin = i * kItemsPerChunk, end = std::min(begin + kItemsPerChunk, count);
     sides[i] = partitionChunk<true>(items + begin, end - begin, split);
     chunks[i] = {begin, begin + sides[i].leftCount, end};
   });
