@@ -30,8 +30,6 @@ class CompiledScene : public Object3D, public BatchGeometry {
   void intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const override;
   void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
-  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
-  bool isBounded() const override;
 
   /// What was built, in one line: instruction set, trees, nodes, bytes.
   std::string describe() const;
@@ -39,7 +37,7 @@ class CompiledScene : public Object3D, public BatchGeometry {
   std::size_t treeBytes() const;
 
  private:
-  struct Content;
-  std::unique_ptr<const Content> content_;
+  struct Trees;
+  std::unique_ptr<const Trees> trees_;
   const Object3D* root_;  // not owned
 };

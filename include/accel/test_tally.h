@@ -1,26 +1,39 @@
-// TestTally: adds up what it took to answer, for all threads at once.
+// TestTally: what it takes to answer for the objects of a scene, in nodes entered and primitives
+// tested.
+//
+// There is one way to count. Whatever answers for a scene (a CompiledScene, a Grid, the plain
+// objects as a CountingTree) may be given a TestTally; it then counts for each ray on its own stack
+// and adds the sums when the ray has its answer. Threads share one tally.
 #pragma once
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <thread>
 
-#include "accel/test_counts.h"
+struct TestCounts {
+  std::uint64_t nodes = 0;       ///< of trees, groups and Transforms entered, or cells visited
+  std::uint64_t primitives = 0;  ///< spheres, planes, triangles and faces of meshes tested
+};
+
+/// What all the rays of a run took.
+struct RayTestCounts {
+  TestCounts nearest;  ///< for nearest hits
+  TestCounts shadow;   ///< for what stands in the way of light: shadow rays and crossings
+};
 
 class TestTally {
  public:
   /// Any number of threads may add at once.
-  void addNearest(std::uint64_t nodes, std::uint64_t primitives) { add(0, nodes, primitives); }
-  void addShadow(std::uint64_t nodes, std::uint64_t primitives) { add(2, nodes, primitives); }
+  void addNearest(const TestCounts& counts) { add(0, counts); }
+  void addShadow(const TestCounts& counts) { add(2, counts); }
 
   /// The sum of what has been added. Whoever adds has to be done.
   RayTestCounts total() const {
-    RayTestCounts sum;
+    std::uint64_t sums[4] = {};
     for (const Share& share : shares_) {
-      sum.nearest.add({share.counts[0], share.counts[1]});
-      sum.shadow.add({share.counts[2], share.counts[3]});
+      for (int i = 0; i < 4; ++i) sums[i] += share.sums[i];
     }
-    return sum;
+    return {{sums[0], sums[1]}, {sums[2], sums[3]}};
   }
 
  private:
@@ -28,14 +41,14 @@ class TestTally {
 
   /// Threads seldom share one, so that they seldom wait for each other.
   struct alignas(128) Share {
-    std::atomic<std::uint64_t> counts[4] = {};
+    std::atomic<std::uint64_t> sums[4] = {};
   };
 
-  void add(int first, std::uint64_t nodes, std::uint64_t primitives) {
+  void add(int first, const TestCounts& counts) {
     const std::size_t thread = std::hash<std::thread::id>{}(std::this_thread::get_id());
-    std::atomic<std::uint64_t>* counts = shares_[thread % kShares].counts + first;
-    counts[0].fetch_add(nodes, std::memory_order_relaxed);
-    counts[1].fetch_add(primitives, std::memory_order_relaxed);
+    std::atomic<std::uint64_t>* sums = shares_[thread % kShares].sums + first;
+    sums[0].fetch_add(counts.nodes, std::memory_order_relaxed);
+    sums[1].fetch_add(counts.primitives, std::memory_order_relaxed);
   }
 
   Share shares_[kShares];

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "accel/compiled_scene.h"
-#include "accel/grid_frame.h"
+#include "accel/grid/grid_frame.h"
 #include "cli/compare_options.h"
 #include "cli/part_options.h"
 #include "render/render_options.h"

@@ -1,11 +1,18 @@
-// BinaryTree: large ranges are divided by all threads together, the others are tasks for one each.
+// BinaryTree: large ranges are split by all threads together, the others are tasks for one each.
+//
+// From the root down ranges are split, each by all threads, until they are small enough to be
+// tasks; then the threads take the tasks, the largest first. Which ranges become tasks depends on
+// the number of threads, but the tree does not: each split is a function of its items alone. On the
+// way back up every node learns what its subtree costs as 1 to 7 children of a wide node, from the
+// costs of its two halves. Each range of items has a stretch of nodes of its own, so that tasks
+// need no lock.
 #include "accel/binary_tree.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "accel/divide.h"
-#include "accel/parallel.h"
+#include "accel/split_range.h"
+#include "accel/thread_pool.h"
 
 namespace accel {
 namespace {
@@ -19,7 +26,7 @@ constexpr std::uint32_t kTopPlan = 0x40000000u;
 std::size_t mostInTask(std::size_t count, int threads) {
   return threads == 1
              ? count
-             : std::max(count / (std::size_t(threads) * kTasksPerThread), Team::kLeastShared);
+             : std::max(count / (std::size_t(threads) * kTasksPerThread), ThreadPool::kLeastShared);
 }
 
 /// Every item has room for two nodes; above the tasks a level has at most one node for each
@@ -54,26 +61,22 @@ class BinaryTree::Subtree {
         memoryPrice_(tree.memoryPrice_) {}
 
   /// The depth of recursion is at most kMostSplits.
-  GatherCost build(const BuildRange& range, std::uint32_t index) {
+  CollapseCost build(const BuildRange& range, std::uint32_t index) {
     BinaryNode& node = nodes_[index];
     setBox(node, range.box);
     if (fitsLeaf(range, uniform_)) {
-      node.plan = GatherPlan::leaf(range.count);
+      node.plan = CollapsePlan::leaf(range.count);
       ++leaves_;
-      return GatherCost::ofLeaf(halfArea(range.box));
+      return CollapseCost::ofLeaf(halfArea(range.box));
     }
     assert(range.splits < kMostSplits);
     BuildRange left, right;
-    divide(range, uniform_, alone_, left, right);
+    splitRange(range, uniform_, alone_, left, right);
     const std::uint32_t pair = next_;
     next_ += 2;
     node.children = pair;
-    const GatherCost first = build(left, pair), second = build(right, pair + 1);
-    std::uint32_t plan;
-    const GatherCost cost =
-        GatherCost::ofNode(halfArea(range.box) + memoryPrice_, first, second, plan);
-    node.plan = plan;
-    return cost;
+    const CollapseCost first = build(left, pair), second = build(right, pair + 1);
+    return CollapseCost::ofNode(halfArea(range.box) + memoryPrice_, first, second, node.plan);
   }
   std::size_t leaves() const { return leaves_; }
 
@@ -82,15 +85,15 @@ class BinaryTree::Subtree {
   std::uint32_t next_;
   const bool uniform_;
   const float memoryPrice_;
-  Team alone_;
+  ThreadPool alone_;
   std::size_t leaves_ = 0;
 };
 
-BinaryTree::BinaryTree(BuildItem* items, std::size_t count, Team& team)
-    : memory_(nodesFor(count, team.threads()) * sizeof(BinaryNode), PageBuffer::Pages::small),
+BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
+    : memory_(nodesFor(count, pool.threads()) * sizeof(BinaryNode), PageBuffer::Pages::small),
       items_(items),
-      team_(team),
-      mostInTask_(mostInTask(count, team.threads())),
+      pool_(pool),
+      mostInTask_(mostInTask(count, pool.threads())),
       nextTop_(std::uint32_t(2 * count + 1)) {
   const BuildRange whole = wholeRange(items, count);
   memoryPrice_ = memoryPrice(whole.box, count);
@@ -110,19 +113,19 @@ BinaryTree::BinaryTree(BuildItem* items, std::size_t count, Team& team)
 BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
   constexpr std::size_t kChunk = 65536;
   const std::size_t chunks = (count + kChunk - 1) / kChunk;
-  std::vector<BuildRange> parts(chunks);
+  std::vector<BuildRange> ranges(chunks);
   std::vector<char> uniform(chunks);
-  team_.forEachIndex(chunks, [&](std::size_t i) {
+  pool_.forEachIndex(chunks, [&](std::size_t i) {
     BuildItem* first = items + i * kChunk;
     const std::size_t size = std::min(kChunk, count - i * kChunk);
-    parts[i] = rangeOf(first, size, 0);
+    ranges[i] = rangeOf(first, size, 0);
     uniform[i] = std::all_of(first, first + size,
                              [&](const BuildItem& item) { return item.kind == items[0].kind; });
   });
   BuildRange whole{items, count, Box4::empty(), Box4::empty(), 0};
   for (std::size_t i = 0; i < chunks; ++i) {
-    whole.box.extend(parts[i].box);
-    whole.centers.extend(parts[i].centers);
+    whole.box.extend(ranges[i].box);
+    whole.centers.extend(ranges[i].centers);
     uniform_ = uniform_ && uniform[i] != 0;
   }
   return whole;
@@ -135,7 +138,7 @@ void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index) {
     return;
   }
   BuildRange left, right;
-  divide(range, uniform_, team_, left, right);
+  splitRange(range, uniform_, pool_, left, right);
   setBox(node, range.box);
   node.children = nextTop_;
   node.plan = kTopPlan;
@@ -149,7 +152,7 @@ void BinaryTree::runTasks() {
   for (Task& task : tasks_) bySize.push_back(&task);
   std::sort(bySize.begin(), bySize.end(),
             [](const Task* a, const Task* b) { return a->range.count > b->range.count; });
-  team_.forEachIndex(bySize.size(), [&](std::size_t i) {
+  pool_.forEachIndex(bySize.size(), [&](std::size_t i) {
     Task& task = *bySize[i];
     Subtree subtree(*this, std::size_t(task.range.first - items_));
     task.cost = subtree.build(task.range, task.node);
@@ -157,16 +160,12 @@ void BinaryTree::runTasks() {
   });
 }
 
-GatherCost BinaryTree::finishTop(std::uint32_t index, std::size_t& task) {
+CollapseCost BinaryTree::finishTop(std::uint32_t index, std::size_t& task) {
   BinaryNode& node = nodes()[index];
   if (node.plan != kTopPlan) return tasks_[task++].cost;  // tasks are in the order of the walk
-  const GatherCost first = finishTop(node.children, task);
-  const GatherCost second = finishTop(node.children + 1, task);
-  std::uint32_t plan;
-  const GatherCost cost =
-      GatherCost::ofNode(halfArea(boxOf(node)) + memoryPrice_, first, second, plan);
-  node.plan = plan;
-  return cost;
+  const CollapseCost first = finishTop(node.children, task);
+  const CollapseCost second = finishTop(node.children + 1, task);
+  return CollapseCost::ofNode(halfArea(boxOf(node)) + memoryPrice_, first, second, node.plan);
 }
 
 }  // namespace accel

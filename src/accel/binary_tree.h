@@ -1,18 +1,78 @@
-// BinaryTree: what the builder makes first, with the cheapest way to gather it into wide nodes.
+// BinaryTree: what the builder makes first, with the cheapest way to collapse it into wide nodes.
+//
+// A subtree may hand its parent one child (itself as a node) or up to seven (the nodes it is opened
+// into). Costs are surfaces, so proportional to the expected number of visits by a random ray; the
+// number of leaves is given, so what a leaf costs against a node does not matter. Source: Ylitie,
+// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
+// 2017.
 #pragma once
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "accel/build_range.h"
-#include "accel/gather_cost.h"
-#include "accel/parallel.h"
+#include "accel/thread_pool.h"
+#include "accel/wide_bvh.h"
 
 namespace accel {
+
+/// How a binary node is collapsed. A leaf: kLeaf and its number of items. Else for each number of
+/// slots from 2 to 8 how many of them its first child gets, three bits each, and from which number
+/// of slots on it is better opened than left whole.
+class CollapsePlan {
+ public:
+  static constexpr std::uint32_t kLeaf = 0x80000000u;
+
+  static constexpr std::uint32_t leaf(std::size_t items) { return kLeaf | std::uint32_t(items); }
+  static constexpr bool isLeaf(std::uint32_t plan) { return (plan & kLeaf) != 0; }
+  static constexpr int leafItems(std::uint32_t plan) { return int(plan & 15); }
+  static constexpr int forFirst(std::uint32_t plan, int slots) {
+    return int(plan >> (3 * (slots - 2)) & 7);
+  }
+  static constexpr int openFrom(std::uint32_t plan) { return int(plan >> 21 & 15); }
+};
+
+struct CollapseCost {
+  float least[kWidth];  ///< [i]: with up to i children, 1 <= i < kWidth; [0] is unused
+
+  /// A leaf of an area.
+  static CollapseCost ofLeaf(float area) {
+    CollapseCost cost;
+    for (float& c : cost.least) c = area;
+    return cost;
+  }
+  /// A node over two subtrees, where being a node of its own costs `price`; stores its plan.
+  static CollapseCost ofNode(float price, const CollapseCost& first, const CollapseCost& second,
+                             std::uint32_t& plan) {
+    float open[kWidth + 1];
+    std::uint32_t found = 0;
+    for (int slots = 2; slots <= kWidth; ++slots) {
+      int best = 1;
+      open[slots] = first.least[1] + second.least[slots - 1];
+      for (int k = 2; k < slots; ++k) {
+        const float cost = first.least[k] + second.least[slots - k];
+        best = cost < open[slots] ? k : best;
+        open[slots] = std::min(open[slots], cost);
+      }
+      found |= std::uint32_t(best) << (3 * (slots - 2));
+    }
+    CollapseCost cost;
+    cost.least[0] = cost.least[1] = open[kWidth] + price;
+    std::uint32_t openFrom = kWidth;
+    for (int slots = kWidth - 1; slots >= 2; --slots) {
+      cost.least[slots] = std::min(cost.least[1], open[slots]);
+      if (open[slots] < cost.least[1]) openFrom = std::uint32_t(slots);
+    }
+    plan = found | openFrom << 21;
+    return cost;
+  }
+};
 
 struct BinaryNode {
   float low[3];
   std::uint32_t children;  ///< the first of two neighbours; unused in a leaf
   float high[3];
-  std::uint32_t plan;  ///< how to gather it: see GatherPlan
+  std::uint32_t plan;  ///< how to collapse it: see CollapsePlan
 };
 static_assert(sizeof(BinaryNode) == 32, "a box and two numbers");
 
@@ -20,7 +80,7 @@ class BinaryTree {
  public:
   /// Builds the tree over `count` >= 1 items, which are reordered: in the tree's order of leaves
   /// they are then one behind the other.
-  BinaryTree(BuildItem* items, std::size_t count, Team& team);
+  BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool);
 
   static constexpr std::uint32_t kRoot = 0;
   const BinaryNode& node(std::uint32_t index) const { return nodes()[index]; }
@@ -32,7 +92,7 @@ class BinaryTree {
   struct Task {
     BuildRange range;
     std::uint32_t node;
-    GatherCost cost;
+    CollapseCost cost;
     std::size_t leaves;
   };
   class Subtree;
@@ -42,11 +102,11 @@ class BinaryTree {
   BuildRange wholeRange(BuildItem* items, std::size_t count);
   void splitTop(const BuildRange& range, std::uint32_t node);
   void runTasks();
-  GatherCost finishTop(std::uint32_t node, std::size_t& task);
+  CollapseCost finishTop(std::uint32_t node, std::size_t& task);
 
   PageBuffer memory_;  ///< BinaryNodes; each range of items has a stretch of its own
   const BuildItem* items_;
-  Team& team_;
+  ThreadPool& pool_;
   std::size_t mostInTask_;
   std::uint32_t nextTop_;
   bool uniform_ = true;

@@ -1,4 +1,8 @@
 // Bins: filling them, and weighing the splits between them.
+//
+// Every item goes into one bin on each axis, the three at once. A sweep from the right leaves, for
+// each border between bins, area times leaf blocks of all that is right of it, one axis a lane; a
+// sweep from the left adds the left side, and the least sum on any axis is the split.
 #include "accel/bins.h"
 
 #include <algorithm>
@@ -38,9 +42,11 @@ void Bins::add(const BuildItem* items, std::size_t count, std::size_t step,
 }
 
 Float4 Bins::areas(const Box4 (&boxes)[3], Float4 scale) {
-  Float4 x = firstThree(boxes[0].high - boxes[0].low), y = firstThree(boxes[1].high - boxes[1].low),
-         z = firstThree(boxes[2].high - boxes[2].low), none = Float4::all(0);
-  transpose(x, y, z, none);
+  // Rows are the boxes of the three axes; columns, the sides along x, y and z.
+  const Float4::Lanes a = (boxes[0].high - boxes[0].low).v, b = (boxes[1].high - boxes[1].low).v,
+                      c = (boxes[2].high - boxes[2].low).v;
+  const Float4 x = Float4::of(a[0], b[0], c[0]), y = Float4::of(a[1], b[1], c[1]),
+               z = Float4::of(a[2], b[2], c[2]);
   return (x * scale) * y + (z * scale) * (x + y);
 }
 

@@ -1,4 +1,12 @@
-// The builder: gathers the binary tree into nodes of eight, then has the leaves written.
+// The builder: from a binary tree to nodes of eight, then to leaves.
+//
+//   1. BinaryTree splits the items until they fit into leaves, and finds for each node the cheapest
+//      way to collapse what is below it into wide nodes.
+//   2. WideNodeBuilder follows these plans from the root down. The children of one wide node lie
+//      side by side; leaves get their places in the order of the items, so that whoever knows the
+//      sizes of the leaves knows where each is.
+//   3. The leaves are written in runs, by all threads; the memory of a run's items is given back
+//      when it is written, so that items and leaves are never in memory all at once.
 #include "accel/bvh_builder.h"
 
 #include <algorithm>
@@ -8,8 +16,8 @@
 #include <vector>
 
 #include "accel/binary_tree.h"
-#include "accel/divide.h"
-#include "accel/parallel.h"
+#include "accel/split_range.h"
+#include "accel/thread_pool.h"
 #include "accel/traversal.h"
 
 namespace accel {
@@ -25,15 +33,15 @@ struct LeafRun {
 };
 
 /// Makes the wide nodes. Leaves get their places in the order of their items.
-class Gatherer {
+class WideNodeBuilder {
  public:
-  Gatherer(const BinaryTree& tree, const BuildItem* items, WideBvh& bvh)
+  WideNodeBuilder(const BinaryTree& tree, const BuildItem* items, WideBvh& bvh)
       : tree_(tree), items_(items), bvh_(bvh) {
     bvh_.nodes = PageBuffer(tree.leafCount() * sizeof(WideNode));
     bvh_.nodeCount = 1;
     bvh_.leafWords = 1;  // offset 0 means no leaf
     sizes_.reserve(tree.leafCount());
-    gather(0, BinaryTree::kRoot);
+    collapse(0, BinaryTree::kRoot);
     bvh_.nodes.shrink(bvh_.nodeCount * sizeof(WideNode));
     runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
   }
@@ -44,65 +52,60 @@ class Gatherer {
   const std::vector<LeafRun>& runs() const { return runs_; }
 
  private:
-  struct Parts {
+  struct Children {
     std::uint32_t nodes[kWidth];
     int count = 0;
   };
 
-  /// Adds what becomes of `index` in `slots` slots of a wide node.
-  void open(std::uint32_t index, int slots, Parts& parts) const {
+  /// Adds what becomes of `index` in `slots` slots of a wide node; eight slots open any node that
+  /// is no leaf.
+  void open(std::uint32_t index, int slots, Children& children) const {
     const BinaryNode& node = tree_.node(index);
-    if (GatherPlan::isLeaf(node.plan) || slots < GatherPlan::openFrom(node.plan)) {
-      parts.nodes[parts.count++] = index;
+    if (CollapsePlan::isLeaf(node.plan) || slots < CollapsePlan::openFrom(node.plan)) {
+      children.nodes[children.count++] = index;
       return;
     }
-    const int first = GatherPlan::forFirst(node.plan, slots);
-    open(node.children, first, parts);
-    open(node.children + 1, slots - first, parts);
+    const int first = CollapsePlan::forFirst(node.plan, slots);
+    open(node.children, first, children);
+    open(node.children + 1, slots - first, children);
   }
 
   /// Makes wide node `number` of binary node `index`. Recursion is as deep as the wide tree.
-  void gather(std::uint32_t number, std::uint32_t index) {
-    const BinaryNode& whole = tree_.node(index);
-    Parts parts;
-    if (GatherPlan::isLeaf(whole.plan)) {
-      parts.nodes[parts.count++] = index;
-    } else {
-      const int first = GatherPlan::forFirst(whole.plan, kWidth);
-      open(whole.children, first, parts);
-      open(whole.children + 1, kWidth - first, parts);
-    }
+  void collapse(std::uint32_t number, std::uint32_t index) {
+    Children children;
+    open(index, kWidth, children);
     WideNode& target = static_cast<WideNode*>(bvh_.nodes.data())[number];
-    setBoxes(target, parts);
-    for (int i = 0; i < parts.count; ++i) {  // nodes of one parent lie side by side
-      if (!isLeaf(parts.nodes[i])) target.child[i] = std::uint32_t(bvh_.nodeCount++);
+    setBoxes(target, children);
+    for (int i = 0; i < children.count; ++i) {  // nodes of one parent lie side by side
+      if (!isLeaf(children.nodes[i])) target.child[i] = std::uint32_t(bvh_.nodeCount++);
     }
-    for (int i = 0; i < parts.count; ++i) {  // in the order of the items: leaves are placed by it
-      if (isLeaf(parts.nodes[i])) {
-        target.child[i] = placeLeaf(parts.nodes[i]);
+    for (int i = 0; i < children.count;
+         ++i) {  // in the order of the items: leaves are placed by it
+      if (isLeaf(children.nodes[i])) {
+        target.child[i] = placeLeaf(children.nodes[i]);
       } else {
-        gather(target.child[i], parts.nodes[i]);
+        collapse(target.child[i], children.nodes[i]);
       }
     }
   }
 
-  void setBoxes(WideNode& target, const Parts& parts) const {
+  void setBoxes(WideNode& target, const Children& children) const {
     constexpr float inf = std::numeric_limits<float>::infinity();
     for (int i = 0; i < kWidth; ++i) {
       for (int axis = 0; axis < 3; ++axis) {
-        const BinaryNode* part = i < parts.count ? &tree_.node(parts.nodes[i]) : nullptr;
+        const BinaryNode* child = i < children.count ? &tree_.node(children.nodes[i]) : nullptr;
         // Adding 0 turns -0 into 0: which of them is the smaller depends on the order of asking.
-        target.planes[2 * axis][i] = part ? part->low[axis] + 0.0f : inf;
-        target.planes[2 * axis + 1][i] = part ? part->high[axis] + 0.0f : -inf;
+        target.planes[2 * axis][i] = child ? child->low[axis] + 0.0f : inf;
+        target.planes[2 * axis + 1][i] = child ? child->high[axis] + 0.0f : -inf;
       }
       target.child[i] = 0;
     }
   }
 
-  bool isLeaf(std::uint32_t index) const { return GatherPlan::isLeaf(tree_.node(index).plan); }
+  bool isLeaf(std::uint32_t index) const { return CollapsePlan::isLeaf(tree_.node(index).plan); }
 
   std::uint32_t placeLeaf(std::uint32_t index) {
-    const std::size_t size = std::size_t(GatherPlan::leafItems(tree_.node(index).plan));
+    const std::size_t size = std::size_t(CollapsePlan::leafItems(tree_.node(index).plan));
     if (sizes_.size() % kLeavesPerRun == 0) runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
     const std::uint32_t offset = std::uint32_t(bvh_.leafWords);
     const LeafKind kind = items_[tree_.isUniform() ? 0 : item_].kind;
@@ -120,13 +123,6 @@ class Gatherer {
   std::size_t item_ = 0;
 };
 
-void setBox(WideBvh& bvh, const BinaryNode& root) {
-  for (int axis = 0; axis < 3; ++axis) {
-    bvh.low[axis] = root.low[axis];
-    bvh.high[axis] = root.high[axis];
-  }
-}
-
 }  // namespace
 
 std::uint32_t leafHead(float edge, LeafKind kind, int count) {
@@ -137,21 +133,23 @@ std::uint32_t leafHead(float edge, LeafKind kind, int count) {
   return ((bits + 0xff) & ~0xffu) | std::uint32_t(kind) << 4 | std::uint32_t(count);
 }
 
-void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team& team) {
+void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, ThreadPool& pool) {
   if (items.count() == 0) return;
   if (items.count() > kMostItems) throw std::length_error("too many primitives for one tree");
   std::vector<std::uint8_t> sizes;
   std::vector<LeafRun> runs;
   {
-    const BinaryTree tree(items.data(), items.count(), team);
-    setBox(bvh, tree.node(BinaryTree::kRoot));
-    const Gatherer gatherer(tree, items.data(), bvh);
-    sizes = gatherer.sizes();
-    runs = gatherer.runs();
+    const BinaryTree tree(items.data(), items.count(), pool);
+    const BinaryNode& root = tree.node(BinaryTree::kRoot);
+    std::copy(root.low, root.low + 3, bvh.low);
+    std::copy(root.high, root.high + 3, bvh.high);
+    const WideNodeBuilder builder(tree, items.data(), bvh);
+    sizes = builder.sizes();
+    runs = builder.runs();
   }
   bvh.leaves = PageBuffer((bvh.leafWords + kWidth) * sizeof(std::uint32_t));
   std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
-  team.forEachIndex(runs.size() - 1, [&](std::size_t i) {
+  pool.forEachIndex(runs.size() - 1, [&](std::size_t i) {
     const LeafRun &run = runs[i], &next = runs[i + 1];
     writer.write(items.data() + run.firstItem, sizes.data() + run.firstLeaf,
                  next.firstLeaf - run.firstLeaf, words + run.firstWord);

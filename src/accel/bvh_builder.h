@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "accel/parallel.h"
+#include "accel/thread_pool.h"
 #include "accel/wide_bvh.h"
 
 namespace accel {
@@ -61,10 +61,10 @@ constexpr std::size_t kMostItems = 0x7fffff00u / 11;
 /// Builds nodes and leaves of `bvh`, whose anchor and scale are set and whose box this sets, over
 /// up to kMostItems items (more: std::length_error), whose memory is given back as the leaves are
 /// written. The tree is a function of the items alone, not of the number of threads. Binary splits
-/// by the binned surface area heuristic, gathered into nodes of eight at the least expected cost.
+/// by the binned surface area heuristic, collapsed into nodes of eight at the least expected cost.
 /// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 /// 2017.
-void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Team& team);
+void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, ThreadPool& pool);
 
 }  // namespace accel

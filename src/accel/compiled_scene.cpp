@@ -1,4 +1,14 @@
-// CompiledScene: turns the tree of objects into spaces, each with a tree of boxes.
+// CompiledScene: turns the tree of objects into ObjectTrees and MeshTrees, once, before tracing.
+//
+//   1. Groups are dissolved: what is above the outermost Transforms becomes the root's ObjectTree,
+//      and what is inside a Transform, down to the next ones, an ObjectTree of its own. So matrices
+//      stay apart, and a ray is moved by exactly the multiplications of the plain objects.
+//   2. Each mesh gets a tree over its triangles, shared by all that have the same geometry; very
+//      small ones stay plain. A Transform of just a mesh leads straight to the mesh's tree.
+//   3. Members are numbered in scene order: of two hits at the same t the lower number wins.
+//   4. Where a chain of Transforms takes rays to numbers that squares do not survive (RayRange), or
+//      a ray starts further off than that, the plain objects are asked.
+// The kernels are those of the widest instruction set that the processor has, or that is wanted.
 #include "accel/compiled_scene.h"
 
 #include <algorithm>
@@ -8,101 +18,92 @@
 
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
+#include "accel/object_tree.h"
 #include "accel/packet.h"
-#include "accel/ray_range.h"
-#include "accel/space.h"
+#include "accel/transform_range.h"
 #include "geometry/group.h"
 
 namespace {
 
-using accel::Entry;
 using accel::Kernels;
 using accel::MeshTree;
+using accel::ObjectTree;
 using accel::RayRange;
-using accel::Space;
+using accel::TreeMember;
 
 /// A mesh of fewer triangles is asked triangle by triangle.
 constexpr std::uint32_t kSmallMesh = 4;
 
-const Kernels& kernelsOf(SimdLevel level) {
-  switch (level) {
-    case SimdLevel::avx512:
-      return accel::avx512Kernels();
-    case SimdLevel::avx2:
-      return accel::avx2Kernels();
-    default:
-      return accel::baselineKernels();
-  }
+Kernels kernelsOf(SimdLevel level) {
+  if (level == SimdLevel::avx512) return accel::avx512Kernels();
+  return level == SimdLevel::avx2 ? accel::avx2Kernels() : accel::baselineKernels();
 }
 
 }  // namespace
 
-struct CompiledScene::Content {
-  Content(SimdLevel level, int threadCount, TestTally* tally)
+struct CompiledScene::Trees {
+  Trees(SimdLevel level, int threadCount, TestTally* tally)
       : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {
     kernels.tally = tally;
   }
 
   /// Adds `object` and all below it to `space`, where rays are within `range`. The depth of
   /// recursion is the scene's nesting.
-  void add(Space& space, const Object3D* object, const RayRange& range) {
+  void add(ObjectTree& tree, const Object3D* object, const RayRange& range) {
     if (const auto* group = accel::exactly<Group>(object)) {
       for (const Object3D* member : group->getObjects()) {
-        if (member) add(space, member, range);
+        if (member) add(tree, member, range);
       }
       return;
     }
-    Entry entry{};
-    entry.object = object;
-    entry.order = nextOrder++;
-    accel::MapNoise noise;
+    TreeMember member{};
+    member.object = object;
+    member.order = nextOrder++;
+    accel::TransformError error;
     if (const auto* mesh = accel::exactly<TriangleMesh>(object)) {
-      addMesh(entry, *mesh, Entry::Kind::mesh);
+      addMesh(member, *mesh, TreeMember::Kind::mesh);
     } else if (const auto* transform = accel::exactly<Transform>(object)) {
-      noise = addTransform(entry, *transform, range.inside(*transform));
+      error = addTransform(member, *transform, range.inside(*transform));
     }
-    space.add(entry, noise);
+    tree.add(member, error);
   }
 
-  void addMesh(Entry& entry, const TriangleMesh& mesh, Entry::Kind kind) {
+  void addMesh(TreeMember& member, const TriangleMesh& mesh, TreeMember::Kind kind) {
     if (mesh.getGeometry().faceCount() < kSmallMesh) return;
-    entry.kind = kind;
-    entry.mesh = &treeOf(mesh.getGeometry());
+    member.kind = kind;
+    const MeshGeometry& geometry = mesh.getGeometry();
+    member.meshTree = &meshTrees.try_emplace(&geometry, geometry, threads).first->second;
   }
 
-  /// Where the Transform takes rays out of `range`, it stays plain. Returns its noise.
-  accel::MapNoise addTransform(Entry& entry, const Transform& transform, const RayRange& range) {
+  /// Where the Transform takes rays out of `range`, it stays plain. Returns its error.
+  accel::TransformError addTransform(TreeMember& member, const Transform& transform,
+                                     const RayRange& range) {
     const Object3D* inside = transform.getObject();
-    accel::MapNoise noise;
+    accel::TransformError error;
     if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
-      addMesh(entry, *mesh, Entry::Kind::movedMesh);
-      const bool isTree = entry.kind == Entry::Kind::movedMesh;
-      if (isTree && !range.fits(entry.mesh->bvh().scale)) entry.kind = Entry::Kind::plain;
+      addMesh(member, *mesh, TreeMember::Kind::transformedMesh);
+      const bool isTree = member.kind == TreeMember::Kind::transformedMesh;
+      if (isTree && !range.fits(member.meshTree->bvh().scale))
+        member.kind = TreeMember::Kind::plain;
     } else if (accel::exactly<Group>(inside) || accel::exactly<Transform>(inside)) {
-      Space& space = spaces.emplace_back(kernels);
-      add(space, inside, range);
-      space.finish(threads);
-      noise = space.noise();
-      if (range.fits(space.bvh().scale)) {
-        entry.kind = Entry::Kind::movedSpace;
-        entry.space = &space;
+      ObjectTree& tree = objectTrees.emplace_back(kernels);
+      add(tree, inside, range);
+      tree.finish(threads);
+      error = tree.error();
+      if (range.fits(tree.bvh().scale)) {
+        member.kind = TreeMember::Kind::transformedTree;
+        member.objectTree = &tree;
       }
     }
-    return accel::noiseThrough(transform, noise);
-  }
-
-  const MeshTree& treeOf(const MeshGeometry& geometry) {
-    const auto found = meshTrees.find(&geometry);
-    if (found != meshTrees.end()) return found->second;
-    return meshTrees.emplace(&geometry, MeshTree(geometry, threads)).first->second;
+    return accel::errorThrough(transform, error);
   }
 
   Kernels kernels;
   const int threads;
   std::uint32_t nextOrder = 0;
   std::map<const MeshGeometry*, MeshTree> meshTrees;
-  std::deque<Space> spaces;  // those inside Transforms
-  Space root;
+  std::deque<ObjectTree> objectTrees;  // those inside Transforms
+  ObjectTree root;
 };
 
 SimdLevel availableSimd(SimdLevel wanted) {
@@ -128,10 +129,10 @@ const char* nameOf(SimdLevel level) {
 
 CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd, TestTally* tally)
     : root_(&root) {
-  auto content = std::make_unique<Content>(availableSimd(simd), threads, tally);
-  content->add(content->root, &root, {});
-  content->root.finish(threads);
-  content_ = std::move(content);
+  auto trees = std::make_unique<Trees>(availableSimd(simd), threads, tally);
+  trees->add(trees->root, &root, {});
+  trees->root.finish(threads);
+  trees_ = std::move(trees);
 }
 
 CompiledScene::~CompiledScene() = default;
@@ -139,12 +140,12 @@ CompiledScene::~CompiledScene() = default;
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, double tmin) const {
   if (!RayRange::holds(ray)) return root_->intersect(ray, hit, tmin);
   accel::NearestQuery query{&hit, tmin, hit.getT()};
-  return content_->root.nearest(ray, query);
+  return trees_->root.nearest(ray, query);
 }
 
 bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
   if (!RayRange::holds(ray)) return root_->occluded(ray, tmin, tmax);
-  return content_->root.occluded(ray, tmin, tmax);
+  return trees_->root.occluded(ray, tmin, tmax);
 }
 
 void CompiledScene::intersectBatch(const Ray* rays, const double* tmins, int count,
@@ -159,7 +160,7 @@ void CompiledScene::intersectBatch(const Ray* rays, const double* tmins, int cou
       allHeld &= RayRange::holds(rays[first + i]);
     }
     if (allHeld) {
-      content_->root.nearest(rays + first, some, queries);
+      trees_->root.nearest(rays + first, some, queries);
       continue;
     }
     for (int i = first; i < first + some; ++i) intersect(rays[i], hits[i], tmins[i]);
@@ -174,7 +175,7 @@ void CompiledScene::occludedBatch(const ShadowQuery* queries, int count, bool* b
         std::all_of(queries + first, queries + first + some,
                     [](const ShadowQuery& query) { return RayRange::holds(query.ray); });
     if (allHeld) {
-      const std::uint64_t bits = content_->root.occluded(queries + first, some);
+      const std::uint64_t bits = trees_->root.occluded(queries + first, some);
       for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
       continue;
     }
@@ -186,25 +187,20 @@ void CompiledScene::occludedBatch(const ShadowQuery* queries, int count, bool* b
 
 void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
   if (!RayRange::holds(ray)) return root_->visitCrossings(ray, visitor);
-  content_->root.visitCrossings(ray, visitor);
+  trees_->root.visitCrossings(ray, visitor);
 }
-
-void CompiledScene::addBounds(const Matrix& toWorld, BoundingBox& box) const {
-  root_->addBounds(toWorld, box);
-}
-
-bool CompiledScene::isBounded() const { return root_->isBounded(); }
 
 std::size_t CompiledScene::treeBytes() const {
-  std::size_t bytes = content_->root.bvh().bytes();
-  for (const auto& tree : content_->meshTrees) bytes += tree.second.bvh().bytes();
-  for (const Space& space : content_->spaces) bytes += space.bvh().bytes();
+  std::size_t bytes = trees_->root.bvh().bytes();
+  for (const auto& tree : trees_->meshTrees) bytes += tree.second.bvh().bytes();
+  for (const ObjectTree& tree : trees_->objectTrees) bytes += tree.bvh().bytes();
   return bytes;
 }
 
 std::string CompiledScene::describe() const {
   std::ostringstream text;
-  text << "eight-wide trees, " << content_->kernels.name << "; " << content_->meshTrees.size()
-       << " mesh trees, " << content_->spaces.size() + 1 << " spaces, " << treeBytes() << " bytes";
+  text << "eight-wide trees, " << trees_->kernels.name << "; " << trees_->meshTrees.size()
+       << " mesh trees, " << trees_->objectTrees.size() + 1 << " spaces, " << treeBytes()
+       << " bytes";
   return text.str();
 }

@@ -1,4 +1,8 @@
 // CountingTree: the walk that Group and Transform make, with a count at each step.
+//
+// The walk is written once, for any question: a Group asks its members in order, a Transform takes
+// the ray in and the answer out, everything else is asked itself. A question says what it asks of a
+// primitive, what becomes of a hit that leaves a Transform, and whether the first yes ends it.
 #include "accel/counting_tree.h"
 
 #include "accel/exact_type.h"
@@ -8,66 +12,81 @@
 
 using accel::exactly;
 
-bool CountingTree::intersect(const Object3D& object, const Ray& ray, Hit& hit, double tmin) const {
+namespace {
+
+std::uint32_t facesOf(const Object3D& primitive) {
+  const auto* mesh = exactly<TriangleMesh>(&primitive);
+  return mesh ? mesh->getGeometry().faceCount() : 1;
+}
+
+/// Asks ask(primitive, ray) for everything in `object`, up to the first true where `endsAtFirst`;
+/// calls leave(transform, ray) where a true comes out of a Transform that `ray` has met. The depth
+/// of recursion is the scene's nesting.
+template <class Ask, class Leave>
+bool walk(const Object3D& object, const Ray& ray, bool endsAtFirst, TestCounts& counts,
+          const Ask& ask, const Leave& leave) {
   if (const auto* group = exactly<Group>(&object)) {
-    ++counts_->nearest.nodes;
+    ++counts.nodes;
     bool found = false;
     for (const Object3D* member : group->getObjects()) {
-      if (member && intersect(*member, ray, hit, tmin)) found = true;
+      if (member && walk(*member, ray, endsAtFirst, counts, ask, leave)) found = true;
+      if (found && endsAtFirst) break;
     }
     return found;
   }
   if (const auto* transform = exactly<Transform>(&object)) {
-    ++counts_->nearest.nodes;
-    if (!intersect(*transform->getObject(), transform->toObject(ray), hit, tmin)) return false;
-    transform->toParent(ray, hit);
+    ++counts.nodes;
+    const Ray inside = transform->toObject(ray);
+    if (!walk(*transform->getObject(), inside, endsAtFirst, counts, ask, leave)) return false;
+    leave(*transform, ray);
     return true;
   }
-  const auto* mesh = exactly<TriangleMesh>(&object);
-  counts_->nearest.primitives += mesh ? mesh->getGeometry().faceCount() : 1;
-  return object.intersect(ray, hit, tmin);
+  return ask(object, ray);
 }
 
-bool CountingTree::occluded(const Object3D& object, const Ray& ray, double tmin,
-                            double tmax) const {
-  if (const auto* group = exactly<Group>(&object)) {
-    ++counts_->shadow.nodes;
-    for (const Object3D* member : group->getObjects()) {
-      if (member && occluded(*member, ray, tmin, tmax)) return true;
+void stayInside(const Transform&, const Ray&) {}
+
+}  // namespace
+
+bool CountingTree::intersect(const Ray& ray, Hit& hit, double tmin) const {
+  TestCounts counts;
+  const auto ask = [&](const Object3D& primitive, const Ray& inside) {
+    counts.primitives += facesOf(primitive);
+    return primitive.intersect(inside, hit, tmin);
+  };
+  const auto leave = [&](const Transform& transform, const Ray& outside) {
+    transform.toParent(outside, hit);
+  };
+  const bool found = walk(*root_, ray, false, counts, ask, leave);
+  tally_->addNearest(counts);
+  return found;
+}
+
+bool CountingTree::occluded(const Ray& ray, double tmin, double tmax) const {
+  TestCounts counts;
+  const auto ask = [&](const Object3D& primitive, const Ray& inside) {
+    const auto* mesh = exactly<TriangleMesh>(&primitive);
+    bool isBlocked = false;
+    for (std::uint32_t face = 0; face < facesOf(primitive) && !isBlocked; ++face) {
+      double t;
+      ++counts.primitives;
+      isBlocked = mesh ? mesh->nearestRoot(face, inside, tmin, tmax, t)
+                       : primitive.occluded(inside, tmin, tmax);
     }
+    return isBlocked;
+  };
+  const bool isBlocked = walk(*root_, ray, true, counts, ask, stayInside);
+  tally_->addShadow(counts);
+  return isBlocked;
+}
+
+void CountingTree::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+  TestCounts counts;
+  const auto ask = [&](const Object3D& primitive, const Ray& inside) {
+    counts.primitives += facesOf(primitive);
+    primitive.visitCrossings(inside, visitor);
     return false;
-  }
-  if (const auto* transform = exactly<Transform>(&object)) {
-    ++counts_->shadow.nodes;
-    return occluded(*transform->getObject(), transform->toObject(ray), tmin, tmax);
-  }
-  const auto* mesh = exactly<TriangleMesh>(&object);
-  if (!mesh) {
-    ++counts_->shadow.primitives;
-    return object.occluded(ray, tmin, tmax);
-  }
-  double t;
-  for (std::uint32_t face = 0; face < mesh->getGeometry().faceCount(); ++face) {
-    ++counts_->shadow.primitives;
-    if (mesh->nearestRoot(face, ray, tmin, tmax, t)) return true;
-  }
-  return false;
-}
-
-void CountingTree::visitCrossings(const Object3D& object, const Ray& ray,
-                                  CrossingVisitor& visitor) const {
-  if (const auto* group = exactly<Group>(&object)) {
-    ++counts_->shadow.nodes;
-    for (const Object3D* member : group->getObjects()) {
-      if (member) visitCrossings(*member, ray, visitor);
-    }
-    return;
-  }
-  if (const auto* transform = exactly<Transform>(&object)) {
-    ++counts_->shadow.nodes;
-    return visitCrossings(*transform->getObject(), transform->toObject(ray), visitor);
-  }
-  const auto* mesh = exactly<TriangleMesh>(&object);
-  counts_->shadow.primitives += mesh ? mesh->getGeometry().faceCount() : 1;
-  object.visitCrossings(ray, visitor);
+  };
+  walk(*root_, ray, false, counts, ask, stayInside);
+  tally_->addShadow(counts);
 }

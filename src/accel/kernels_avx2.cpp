@@ -8,24 +8,12 @@
 
 #include "accel/packet.h"
 #include "accel/traversal.h"
-#include "accel/triangle_hits.h"
 
 namespace accel {
 namespace avx2 {
 #include "accel/kernels.inc"
 }  // namespace avx2
 
-const Kernels& avx2Kernels() {
-  static const Kernels kernels = {"avx2",
-                                  avx2::traverse<Purpose::nearest>,
-                                  avx2::traverse<Purpose::any>,
-                                  avx2::traverse<Purpose::all>,
-                                  avx2::traversePacket<Purpose::nearest>,
-                                  avx2::traversePacket<Purpose::any>,
-                                  avx2::computeHits,
-                                  avx2::prepareRay,
-                                  avx2::prepareRays};
-  return kernels;
-}
+Kernels avx2Kernels() { return avx2::kernelsNamed("avx2"); }
 
 }  // namespace accel

@@ -8,24 +8,12 @@
 
 #include "accel/packet.h"
 #include "accel/traversal.h"
-#include "accel/triangle_hits.h"
 
 namespace accel {
 namespace avx512 {
 #include "accel/kernels.inc"
 }  // namespace avx512
 
-const Kernels& avx512Kernels() {
-  static const Kernels kernels = {"avx512",
-                                  avx512::traverse<Purpose::nearest>,
-                                  avx512::traverse<Purpose::any>,
-                                  avx512::traverse<Purpose::all>,
-                                  avx512::traversePacket<Purpose::nearest>,
-                                  avx512::traversePacket<Purpose::any>,
-                                  avx512::computeHits,
-                                  avx512::prepareRay,
-                                  avx512::prepareRays};
-  return kernels;
-}
+Kernels avx512Kernels() { return avx512::kernelsNamed("avx512"); }
 
 }  // namespace accel

@@ -1,14 +1,21 @@
 // Batches of rays in a mesh's tree: packets where the rays pass one point, single rays elsewhere.
+//
+//   1. The first rays of the batch that share a point, or nearly, are taken as a beam: eye rays the
+//      eye, a flat mirror's rays the eye's picture behind it, shadow rays the lamp.
+//   2. Eight or more are worth a packet, which walks the tree once for all of them. What it proves
+//      is kept: for most rays one triangle that is surely the nearest, or that nothing is hit.
+//   3. Those hits are computed in double, several at a time, by the scalar function's operations.
+//   4. Where a few triangles were left open for a ray, the double function decides among them;
+//   where
+//      more, and for all rays outside of the beam, the ray walks alone, as in mesh_queries.cpp.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
-#include "accel/lone_rays.h"
 #include "accel/mesh_query.h"
 #include "accel/packet.h"
-#include "accel/prepare_packet.h"
-#include "accel/triangle_hits.h"
+#include "accel/prepare_rays.h"
 #include "geometry/triangle.h"
 
 namespace accel {
@@ -191,9 +198,9 @@ class ProvenHits {
       NearestQuery& query = queries[rays_[k]];
       query.t = hits_.t[k];
       query.order = order_;
-      query.part = faces_[k];
+      query.face = faces_[k];
       query.hit->record(query.t, mesh_.getMaterial(), take(hits_.normal, k), take(hits_.point, k),
-                        {&mesh_, query.part, hits_.magnitude[k]});
+                        {&mesh_, query.face, hits_.magnitude[k]});
       found |= std::uint64_t(1) << rays_[k];
     }
     return found;
@@ -234,16 +241,16 @@ std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const 
   const BeamOfRays beam(rays, count, queries);
   const int together =
       beam.count >= kFewRays && preparePacket(tree.bvh(), beam, packet) ? beam.count : 0;
-  if (together > 0) kernels.nearestOfPacket(packet);
-  if (together > 0 && kernels.tally) {
-    kernels.tally->addNearest(packet.nodesVisited, packet.primitivesTested);
+  if (together > 0) {
+    kernels.nearestOfPacket(packet);
+    kernels.countNearest(packet);
   }
   ProvenHits proven(tree, mesh, order);
-  LoneRays lone;
+  SingleRays singles;
   std::uint64_t found = 0;
   for (int i = 0; i < count; ++i) {
     if (i >= together || (packet.open >> i & 1) != 0) {
-      lone.add(i, rays[i], queries[i].tmin, queries[i].t);
+      singles.add(i, rays[i], queries[i].tmin, queries[i].t);
     } else if (packet.doubtCount[i] != 0) {
       const PacketAnswer answer(tree, mesh, packet, i, rays[i]);
       found |= std::uint64_t(answer.nearest(order, queries[i])) << i;
@@ -252,10 +259,11 @@ std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const 
     }
   }
   found |= proven.finish(kernels, queries);
-  return found |
-         lone.forEach(kernels, tree.bvh(), [&](int i, TraversalRay& r, const TimeMap& time) {
-           return NearestInMesh{{&tree, &mesh, rays + i}, queries + i, order, time}.ask(kernels, r);
-         });
+  return found | singles.forEach(
+                     kernels, tree.bvh(), [&](int i, TraversalRay& r, const ParameterMap& time) {
+                       return NearestInMesh{{&tree, &mesh, rays + i}, queries + i, order, time}.ask(
+                           kernels, r);
+                     });
 }
 
 std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
@@ -266,26 +274,27 @@ std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const
   const bool together = count >= kFewRays && areClose(queries, count, tree) &&
                         beamOfShadows(queries, count, beam) &&
                         preparePacket(tree.bvh(), beam, packet);
-  if (together) kernels.anyOfPacket(packet);
-  if (together && kernels.tally) {
-    kernels.tally->addShadow(packet.nodesVisited, packet.primitivesTested);
+  if (together) {
+    kernels.anyOfPacket(packet);
+    kernels.countShadow(packet);
   }
   std::uint64_t blocked = together ? packet.blocked : 0;
-  LoneRays lone;
+  SingleRays singles;
   for (int i = 0; i < count; ++i) {
     if ((blocked >> i & 1) != 0) continue;
     const ShadowQuery& query = queries[i];
     if (!together || (packet.open >> i & 1) != 0) {
-      lone.add(i, query.ray, query.tmin, query.tmax);
+      singles.add(i, query.ray, query.tmin, query.tmax);
     } else if (packet.doubtCount[i] != 0) {
       const PacketAnswer answer(tree, mesh, packet, i, query.ray);
       blocked |= std::uint64_t(answer.occluded(query.tmin, query.tmax)) << i;
     }
   }
-  return blocked | lone.forEach(kernels, tree.bvh(), [&](int i, TraversalRay& r, const TimeMap&) {
-    const ShadowQuery& q = queries[i];
-    return OccludedByMesh{{&tree, &mesh, &q.ray}, q.tmin, q.tmax}.ask(kernels, r);
-  });
+  return blocked |
+         singles.forEach(kernels, tree.bvh(), [&](int i, TraversalRay& r, const ParameterMap&) {
+           const ShadowQuery& q = queries[i];
+           return OccludedByMesh{{&tree, &mesh, &q.ray}, q.tmin, q.tmax}.ask(kernels, r);
+         });
 }
 
 }  // namespace accel

@@ -1,4 +1,13 @@
-// Queries of a mesh's tree: the kernels filter, the triangle's double function decides.
+// Questions of one ray to a mesh's tree.
+//
+// A kernel walks the tree with floats (traversal.h). Triangles that its error bounds rule out are
+// never looked at again; one that is surely hit nearer than all before lowers the ray's end; the
+// rest become Candidates, up to 16 at a time. `resolve` decides those with the one double function
+// of triangles, on corners that the leaf holds exactly or the mesh is asked for. So t, face and
+// normal are those of the plain mesh, whatever the instruction set; the kernel only saves work.
+//   nearest    the winner's hit is computed once, when the walk is over
+//   occluded   any candidate between tmin and tmax ends the walk
+//   crossings  nothing is ruled out by distance: every face that may be crossed is asked
 #include <algorithm>
 #include <limits>
 
@@ -61,7 +70,7 @@ bool NearestInMesh::ask(const Kernels& kernels, TraversalRay& r) {
   r.askObject = noObject;
   r.context = this;
   kernels.nearest(r);
-  kernels.tellNearest(r);
+  kernels.countNearest(r);
   resolve(r);
   if (!found) return false;
   const MeshTree::Triangle corners = tree->triangleAt(winner.words, winner.lane);
@@ -74,7 +83,7 @@ bool OccludedByMesh::ask(const Kernels& kernels, TraversalRay& r) {
   r.askObject = noObject;
   r.context = this;
   const bool isBlocked = kernels.any(r);
-  kernels.tellShadow(r);
+  kernels.countShadow(r);
   return isBlocked;
 }
 
@@ -101,7 +110,7 @@ bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleM
 bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                     const Ray& ray, double tmin, double tmax) {
   TraversalRay r;
-  TimeMap time;
+  ParameterMap time;
   return !tree.bvh().isEmpty() && prepareRay(kernels, tree.bvh(), ray, tmin, tmax, r, time) &&
          OccludedByMesh{{&tree, &mesh, &ray}, tmin, tmax}.ask(kernels, r);
 }
@@ -109,7 +118,7 @@ bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const Triangle
 void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
                         const Ray& ray, CrossingVisitor& visitor) {
   TraversalRay r;
-  TimeMap time;
+  ParameterMap time;
   CrossingsOfMesh self{tree, mesh, ray, visitor};
   if (tree.bvh().isEmpty() ||
       !prepareRay(kernels, tree.bvh(), ray, 0, std::numeric_limits<double>::infinity(), r, time)) {
@@ -119,7 +128,7 @@ void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const Tria
   r.askObject = noObject;
   r.context = &self;
   kernels.all(r);
-  kernels.tellShadow(r);
+  kernels.countShadow(r);
   CrossingsOfMesh::resolve(r);
 }
 

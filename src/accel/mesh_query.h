@@ -1,8 +1,9 @@
-// What the call backs of a mesh's traversals need to know; the triangle's double function decides.
+// What one ray's questions to a mesh need to know while the tree is walked: the kernels call back
+// with candidates, and the triangle's double function decides.
 #pragma once
 #include "accel/mesh_tree.h"
-#include "accel/prepare_ray.h"
-#include "accel/space.h"
+#include "accel/object_tree.h"
+#include "accel/prepare_rays.h"
 
 namespace accel {
 
@@ -20,7 +21,7 @@ struct MeshQuery {
 struct NearestInMesh : MeshQuery {
   NearestQuery* query;
   std::uint32_t order;
-  TimeMap time;
+  ParameterMap time;
   bool found = false;
   Candidate winner{};  ///< where found
 

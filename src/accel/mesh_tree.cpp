@@ -1,4 +1,10 @@
 // MeshTree: leaves hold the corners themselves, so that deciding a hit needs no look at the mesh.
+//
+// Corners are stored scaled by a power of two, which brings the mesh's longest side to 1 to 2: that
+// loses no digit unless a number leaves the range of float, so dividing gives back the mesh's own
+// corners; where any does not come back, they are fetched from the mesh instead. There is no
+// anchor, for taking it away would round. Boxes of faces are the exact boxes of such corners. Faces
+// without area are left out: no ray hits them. All steps go over chunks by all threads.
 #include "accel/mesh_tree.h"
 
 #include <algorithm>
@@ -8,18 +14,12 @@
 #include <vector>
 
 #include "accel/build_range.h"
-#include "accel/parallel.h"
+#include "accel/thread_pool.h"
 #include "geometry/triangle.h"
 #include "math/bounding_box.h"
 
 namespace accel {
 namespace {
-
-float wordAsFloat(std::uint32_t word) {
-  float x;
-  std::memcpy(&x, &word, sizeof x);
-  return x;
-}
 
 /// Writes leaves of corners, scaled.
 class MeshLeafWriter : public LeafWriter {
@@ -76,17 +76,17 @@ constexpr std::size_t kChunk = 32768;
 
 /// Calls work(chunk, begin, end) for chunks of [0, count).
 template <class Work>
-void forEachChunk(Team& team, std::size_t count, const Work& work) {
-  team.forEachIndex((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+void forEachChunk(ThreadPool& pool, std::size_t count, const Work& work) {
+  pool.forEachIndex((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
     work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
   });
 }
 
 Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
-BoundingBox boxOf(const std::vector<Vec3f>& vertices, Team& team) {
+BoundingBox boxOf(const std::vector<Vec3f>& vertices, ThreadPool& pool) {
   std::vector<BoundingBox> boxes(vertices.size() / kChunk + 1);
-  forEachChunk(team, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+  forEachChunk(pool, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     Box4 box = Box4::empty();
     for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
     float low[4], high[4];
@@ -99,9 +99,9 @@ BoundingBox boxOf(const std::vector<Vec3f>& vertices, Team& team) {
 }
 
 /// True where scaling loses no digit.
-bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, Team& team) {
+bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, ThreadPool& pool) {
   std::vector<char> exact(vertices.size() / kChunk + 1, 1);
-  forEachChunk(team, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+  forEachChunk(pool, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     bool same = true;
     for (std::size_t i = begin; i < end; ++i) {
       same = same && vertices[i] * scale * (1 / scale) == vertices[i];
@@ -138,11 +138,11 @@ BuildItem* appendItems(const MeshGeometry& geometry, float scale, std::size_t be
   return item;
 }
 
-BuildItems itemsOf(const MeshGeometry& geometry, float scale, Team& team) {
+BuildItems itemsOf(const MeshGeometry& geometry, float scale, ThreadPool& pool) {
   const std::size_t faces = geometry.faceCount();
   BuildItems items(faces);
   std::vector<std::size_t> counts(faces / kChunk + 1);
-  forEachChunk(team, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+  forEachChunk(pool, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     BuildItem* first = items.data() + begin;
     counts[chunk] = std::size_t(appendItems(geometry, scale, begin, end, first) - first);
   });
@@ -159,21 +159,21 @@ BuildItems itemsOf(const MeshGeometry& geometry, float scale, Team& team) {
 }  // namespace
 
 MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geometry) {
-  Team::run(threads, geometry.faceCount(), [&](Team& team) {
-    const float scale = scaleFor(boxOf(geometry.getVertices(), team));
+  ThreadPool::run(threads, geometry.faceCount(), [&](ThreadPool& pool) {
+    const float scale = scaleFor(boxOf(geometry.getVertices(), pool));
     bvh_.scale = scale;
-    exact_ = scalesExactly(geometry.getVertices(), scale, team);
-    buildWideBvh(bvh_, itemsOf(geometry, scale, team), MeshLeafWriter(geometry, scale), team);
+    exact_ = scalesExactly(geometry.getVertices(), scale, pool);
+    buildWideBvh(bvh_, itemsOf(geometry, scale, pool), MeshLeafWriter(geometry, scale), pool);
   });
 }
 
-Vec3d MeshTree::low() const { return Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale; }
-Vec3d MeshTree::high() const {
-  return Vec3d(bvh_.high[0], bvh_.high[1], bvh_.high[2]) / bvh_.scale;
+BoundingBox MeshTree::box() const {
+  return {Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale,
+          Vec3d(bvh_.high[0], bvh_.high[1], bvh_.high[2]) / bvh_.scale};
 }
 
 double MeshTree::typicalArea() const {
-  const Vec3d size = high() - low();
+  const Vec3d size = box().high() - box().low();
   const double half = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
   return half / double(std::max(geometry_->faceCount(), 1u));
 }
@@ -187,7 +187,11 @@ MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) co
   }
   const double unscale = 1 / bvh_.scale;
   double v[9];
-  for (int k = 0; k < 9; ++k) v[k] = wordAsFloat(words[1 + k * n + lane]) * unscale;
+  for (int k = 0; k < 9; ++k) {
+    float value;
+    std::memcpy(&value, words + 1 + k * n + lane, sizeof value);
+    v[k] = value * unscale;
+  }
   return {Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8]), face};
 }
 

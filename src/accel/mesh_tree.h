@@ -11,9 +11,8 @@ class MeshTree {
   MeshTree(const MeshGeometry& geometry, int threads);
 
   const WideBvh& bvh() const { return bvh_; }
-  /// The mesh's box in its own space, as low and high corner.
-  Vec3d low() const;
-  Vec3d high() const;
+  /// The mesh's box in its own space.
+  BoundingBox box() const;
 
   /// The area of a triangle, roughly: half the surface of the mesh's box over their number.
   double typicalArea() const;

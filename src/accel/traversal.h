@@ -69,7 +69,7 @@ struct TraversalRay {
 };
 
 /// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
-struct TimeMap {
+struct ParameterMap {
   double scale = 1, shift = 0;
 
   /// Floats surely not above, and surely not below, the t' of t.
@@ -106,24 +106,27 @@ struct Kernels {
   /// t'. Origin and direction are three numbers each. False where the ray misses the box of the
   /// tree between tmin and tmax.
   bool (*prepareRay)(const WideBvh& bvh, const double* origin, const double* direction, double tmin,
-                     double tmax, TraversalRay& prepared, TimeMap& time);
+                     double tmax, TraversalRay& prepared, ParameterMap& time);
   /// The same for `count` rays; bit i of the result is the answer for ray i.
   std::uint64_t (*prepareRays)(const WideBvh& bvh, const RayRows& rows, int count,
-                               TraversalRay* prepared, TimeMap* times);
+                               TraversalRay* prepared, ParameterMap* times);
   /// Where it is noted what all this takes; null where nobody asks. Not owned.
   TestTally* tally = nullptr;
 
-  void tellNearest(const TraversalRay& ray) const {
-    if (tally) tally->addNearest(ray.nodesVisited, ray.primitivesTested);
+  /// Adds to the tally what one walk has taken: of a TraversalRay or a RayPacket.
+  template <class Walked>
+  void countNearest(const Walked& walked) const {
+    if (tally) tally->addNearest({walked.nodesVisited, walked.primitivesTested});
   }
-  void tellShadow(const TraversalRay& ray) const {
-    if (tally) tally->addShadow(ray.nodesVisited, ray.primitivesTested);
+  template <class Walked>
+  void countShadow(const Walked& walked) const {
+    if (tally) tally->addShadow({walked.nodesVisited, walked.primitivesTested});
   }
 };
 
-const Kernels& baselineKernels();
-const Kernels& avx2Kernels();    // only where the processor has AVX2, FMA, BMI and BMI2
-const Kernels& avx512Kernels();  // only where it has AVX-512 F, VL, DQ, BW too
+Kernels baselineKernels();
+Kernels avx2Kernels();    // only where the processor has AVX2, FMA, BMI and BMI2
+Kernels avx512Kernels();  // only where it has AVX-512 F, VL, DQ, BW too
 
 /// The most entries that a walk can have open: seven for each level of the deepest tree.
 constexpr int kMostLevels = 96;

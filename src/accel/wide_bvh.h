@@ -52,8 +52,9 @@ struct WideBvh {
   double scale = 1;
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< the box of everything, normalised
   /// Hits are off as those of objects under no Transform would be that were seen from
-  /// far * noiseFactor + noise away, far being how far off the ray's origin is; see MapNoise.
-  double noiseFactor = 1, noise = 0;
+  /// far * errorFactor + fixedError away, far being how far off the ray's origin is; see
+  /// TransformError.
+  double errorFactor = 1, fixedError = 0;
 
   bool isEmpty() const { return nodeCount == 0; }
   const WideNode* root() const { return static_cast<const WideNode*>(nodes.data()); }

@@ -34,8 +34,6 @@ int threadCount(const Options& options) {
 /// What one thread counts, apart from the others' in memory.
 struct alignas(128) ThreadCounts {
   RayCounts rays;
-  RayTestCounts tests;
-  std::unique_ptr<const Object3D> geometry;
 };
 
 /// Renders, and enters in `stats` what the threads have counted.
@@ -44,8 +42,7 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
   std::vector<ThreadCounts> counts(std::size_t(stats.threads));
   std::vector<WorkerView> views;
   for (ThreadCounts& each : counts) {
-    each.geometry = geometry.counting(each.tests);
-    views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
+    views.push_back({&geometry.object(), &each.rays});
   }
   render(scene, geometry.object(), options.render, stats.threads, targets, views);
   stats.pixels = double(renderedArea(options).pixelCount());
@@ -53,7 +50,6 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
   stats.tests = geometry.tallied();
   for (const ThreadCounts& each : counts) {
     stats.rays.add(each.rays);
-    stats.tests.add(each.tests);
   }
 }
 

@@ -1,8 +1,6 @@
 // SceneGeometry: the compiled scene, a grid, the cells of a grid, or the objects themselves.
 #include "cli/scene_geometry.h"
 
-#include "accel/counting_tree.h"
-
 namespace {
 
 /// How -visualize_grid_count paints a cell of at most so many objects; the last one holds for all
@@ -23,22 +21,19 @@ PhongMaterial paintOf(const Vec3f& color) { return {color, {}, 1, {}, {}, 1}; }
 
 SceneGeometry::SceneGeometry(const Object3D& root, const Options& options, int threads)
     : object_(&root) {
+  TestTally* const tally = options.stats ? &tally_ : nullptr;
   if (options.accel == Options::Accel::fast) {
-    object_ = &compiled_.emplace(root, threads, options.simd, options.stats ? &tally_ : nullptr);
+    object_ = &compiled_.emplace(root, threads, options.simd, tally);
     simd_ = nameOf(availableSimd(options.simd));
     description_ = compiled_->describe();
   } else if (options.gridPicture != Options::GridPicture::none) {
     makeView(root, options);
   } else if (options.accel == Options::Accel::grid) {
-    object_ = &grid_.emplace(root, options.gridSize);
+    object_ = &grid_.emplace(root, options.gridSize, GridLimits{}, tally);
     description_ = grid_->describe();
+  } else if (tally) {
+    object_ = &counted_.emplace(root, *tally);
   }
-}
-
-std::unique_ptr<const Object3D> SceneGeometry::counting(RayTestCounts& counts) const {
-  if (compiled_ || view_) return nullptr;
-  if (grid_) return std::make_unique<CountingGrid>(*grid_, counts);
-  return std::make_unique<CountingTree>(*object_, counts);
 }
 
 void SceneGeometry::makeView(const Object3D& root, const Options& options) {

@@ -1,14 +1,13 @@
 // SceneGeometry: what answers for the objects of a scene in this run, and what it is called.
 #pragma once
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "accel/compiled_scene.h"
-#include "accel/grid.h"
-#include "accel/grid_view.h"
-#include "accel/test_counts.h"
+#include "accel/counting_tree.h"
+#include "accel/grid/grid.h"
+#include "accel/grid/grid_view.h"
 #include "accel/test_tally.h"
 #include "cli/options.h"
 #include "shading/phong_material.h"
@@ -22,10 +21,7 @@ class SceneGeometry {
   SceneGeometry& operator=(const SceneGeometry&) = delete;
 
   const Object3D& object() const { return *object_; }
-  /// object() in a form that adds to `counts` what each answer takes, for one thread; null where
-  /// there is none. Neither this nor `counts` is owned.
-  std::unique_ptr<const Object3D> counting(RayTestCounts& counts) const;
-  /// What object() itself has counted: with Options::stats, where it is a compiled scene.
+  /// What object() has counted: with Options::stats, but for a picture of cells.
   RayTestCounts tallied() const { return tally_.total(); }
   /// The instruction set in use, "none" where there is no choice of one.
   const std::string& simd() const { return simd_; }
@@ -36,6 +32,7 @@ class SceneGeometry {
   void makeView(const Object3D& root, const Options& options);
 
   TestTally tally_;
+  std::optional<CountingTree> counted_;
   std::optional<CompiledScene> compiled_;
   std::optional<Grid> grid_;
   std::vector<PhongMaterial> palette_;

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "accel/test_counts.h"
+#include "accel/test_tally.h"
 #include "render/ray_counts.h"
 
 /// Seconds from one call of restart() to the next.

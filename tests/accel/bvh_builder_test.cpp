@@ -54,8 +54,8 @@ WideBvh treeOf(const std::vector<BuildItem>& list, int threads) {
   accel::BuildItems items(list.size());
   for (const BuildItem& item : list) items.add(item);
   WideBvh bvh;
-  accel::Team::run(threads, list.size(), [&](accel::Team& team) {
-    accel::buildWideBvh(bvh, std::move(items), PlainWriter(), team);
+  accel::ThreadPool::run(threads, list.size(), [&](accel::ThreadPool& pool) {
+    accel::buildWideBvh(bvh, std::move(items), PlainWriter(), pool);
   });
   return bvh;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "accel/compiled_scene.h"
-#include "accel/grid.h"
+#include "accel/grid/grid.h"
 #include "vectors.h"
 
 namespace accel_test {

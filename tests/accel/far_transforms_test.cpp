@@ -1,7 +1,7 @@
 // Transforms inside Transforms, seen from so far away that rounding decides what is hit: the trees
 // find the same all the same.
 #include "accel/comparison.h"
-#include "accel/map_noise.h"
+#include "accel/transform_range.h"
 #include "accel/random_scene.h"
 #include "random.h"
 
@@ -51,18 +51,18 @@ TEST("the noise of a Transform grows with what it squeezes, and of nested ones w
   const Object3D* ball = &owner.make<Sphere>(Vec3d(), 1.0, owner.material(0));
   const Transform plain(Matrix(), ball);
   // Nothing moves: two steps of 2 each, in and out by a factor of 1; the product is exact.
-  const accel::MapNoise none = accel::noiseThrough(plain, {});
+  const accel::TransformError none = accel::errorThrough(plain, {});
   CHECK_EQUAL(none.perSize, 4);
   CHECK_EQUAL(none.fixed, 0);
   // y / 1024: inside numbers are 1024 times as large, and the way out keeps x and z.
   const Transform flat(Matrix::scale({1, 0x1p-10, 1}), ball);
-  CHECK_EQUAL(accel::noiseThrough(flat, {}).perSize, 4 * 1024);
-  CHECK_EQUAL(accel::noiseThrough(flat, accel::noiseThrough(flat, {})).perSize,
+  CHECK_EQUAL(accel::errorThrough(flat, {}).perSize, 4 * 1024);
+  CHECK_EQUAL(accel::errorThrough(flat, accel::errorThrough(flat, {})).perSize,
               (4 + 4 * 1024) * 1024);
   // x - 8 inside: 4 times that, and 2 times the offset on the way out.
   const Transform moved(Matrix::translation({8, 0, 0}), ball);
-  CHECK_EQUAL(accel::noiseThrough(moved, {}).perSize, 4);
-  CHECK_EQUAL(accel::noiseThrough(moved, {}).fixed, 4 * 8 + 2 * 8);
+  CHECK_EQUAL(accel::errorThrough(moved, {}).perSize, 4);
+  CHECK_EQUAL(accel::errorThrough(moved, {}).fixed, 4 * 8 + 2 * 8);
   // What is nested errs at x = 0 by 100: taken through the translation by as much.
-  CHECK_EQUAL(accel::noiseThrough(moved, {0, 100}).fixed, 4 * 8 + 2 * 8 + 100);
+  CHECK_EQUAL(accel::errorThrough(moved, {0, 100}).fixed, 4 * 8 + 2 * 8 + 100);
 }

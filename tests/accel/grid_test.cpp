@@ -1,6 +1,6 @@
 // The uniform grid: where it finds hits, and the bounds of its memory. That it finds what the plain
 // objects give is also asked by every test that uses comparison.h.
-#include "accel/grid.h"
+#include "accel/grid/grid.h"
 
 #include "../geometry/shapes.h"
 #include "check.h"

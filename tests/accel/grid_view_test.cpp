@@ -1,5 +1,5 @@
 // The occupied cells of a grid as boxes to look at.
-#include "accel/grid_view.h"
+#include "accel/grid/grid_view.h"
 
 #include "check.h"
 #include "geometry/plane.h"

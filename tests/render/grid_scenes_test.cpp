@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "accel/compiled_scene.h"
-#include "accel/grid.h"
+#include "accel/grid/grid.h"
 #include "check.h"
 #include "render/renderer.h"
 

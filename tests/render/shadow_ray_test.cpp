@@ -1,6 +1,6 @@
 // Shadow rays end at the first thing in the way, and want to know no more.
 #include "accel/counting_tree.h"
-#include "accel/grid.h"
+#include "accel/grid/grid.h"
 #include "check.h"
 #include "geometry/group.h"
 #include "geometry/sphere.h"
@@ -75,20 +75,20 @@ TEST("the plain tree tests every primitive for a hit, but up to the first for a 
   root.addObject(&moved);
   root.addObject(&right);
   root.addObject(&far);
-  RayTestCounts counts;
-  const CountingTree tree(root, counts);
+  TestTally tally;
+  const CountingTree tree(root, tally);
   const Ray up({0, 0, 0}, {0, 1, 0}), past({0, 0, 5}, {0, 1, 0});
   Hit hit;
   CHECK(tree.intersect(up, hit, 0));
   CHECK_EQUAL(hit.getT(), 5);
-  CHECK_EQUAL(counts.nearest.primitives, 4u);
-  CHECK_EQUAL(counts.nearest.nodes, 3u);
+  CHECK_EQUAL(tally.total().nearest.primitives, 4u);
+  CHECK_EQUAL(tally.total().nearest.nodes, 3u);
   CHECK(tree.occluded(up, 0, 10));  // left, then middle, which is in the way
-  CHECK_EQUAL(counts.shadow.primitives, 2u);
+  CHECK_EQUAL(tally.total().shadow.primitives, 2u);
   CHECK(!tree.occluded(past, 0, 10));  // all four
-  CHECK_EQUAL(counts.shadow.primitives, 6u);
-  CHECK_EQUAL(counts.shadow.nodes, 6u);
-  CHECK_EQUAL(counts.nearest.primitives, 4u);
+  CHECK_EQUAL(tally.total().shadow.primitives, 6u);
+  CHECK_EQUAL(tally.total().shadow.nodes, 6u);
+  CHECK_EQUAL(tally.total().nearest.primitives, 4u);
 }
 
 TEST("a grid counts the cells that a ray visits and the objects that they list") {
@@ -98,15 +98,14 @@ TEST("a grid counts the cells that a ray visits and the objects that they list")
   for (int i = 0; i < 4; ++i) balls.emplace_back(Vec3d(2 * i, 0, 0), 0.5, nullptr);
   Group root;
   for (const Sphere& ball : balls) root.addObject(&ball);
-  const Grid grid(root, {4, 1, 1});
-  RayTestCounts counts;
-  const CountingGrid counting(grid, counts);
+  TestTally tally;
+  const Grid counting(root, {4, 1, 1}, {}, &tally);
   Hit hit;
   CHECK(counting.intersect(Ray({-5, 0, 0}, {1, 0, 0}), hit, 0));
-  CHECK_EQUAL(counts.nearest.nodes, 1u);
-  CHECK_EQUAL(counts.nearest.primitives, 1u);
+  CHECK_EQUAL(tally.total().nearest.nodes, 1u);
+  CHECK_EQUAL(tally.total().nearest.primitives, 1u);
   // Beside the balls through all cells: at y = 0.4, z = 0.4 a ball of radius 0.5 is missed.
   CHECK(!counting.occluded(Ray({-5, 0.4, 0.4}, {1, 0, 0}), 0, 100));
-  CHECK_EQUAL(counts.shadow.nodes, 4u);
-  CHECK_EQUAL(counts.shadow.primitives, 4u);
+  CHECK_EQUAL(tally.total().shadow.nodes, 4u);
+  CHECK_EQUAL(tally.total().shadow.primitives, 4u);
 }

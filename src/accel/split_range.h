@@ -1,14 +1,15 @@
-// Divide: one step of the builder, a range in two.
+// splitRange: one step of the builder, a range in two.
 #pragma once
 #include "accel/build_range.h"
-#include "accel/parallel.h"
+#include "accel/thread_pool.h"
 
 namespace accel {
 
-/// Divides a range of at least two items that cannot be one leaf. `uniform` says that all items of
-/// the tree are of one kind. Large ranges are divided by all threads of `team`; the outcome does
+/// Splits a range of at least two items that cannot be one leaf. `uniform` says that all items of
+/// the tree are of one kind. Large ranges are split by all threads of `pool`; the outcome does
 /// not depend on their number.
-void divide(const BuildRange& range, bool uniform, Team& team, BuildRange& left, BuildRange& right);
+void splitRange(const BuildRange& range, bool uniform, ThreadPool& pool, BuildRange& left,
+                BuildRange& right);
 
 /// True where the range may be one leaf: few enough items, of one kind.
 bool fitsLeaf(const BuildRange& range, bool uniform);

@@ -1,7 +1,6 @@
 // GridFrame: a box divided into equal cells; CellWalk: the cells that a ray passes, in order.
-// Source: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987. Here every
-// t is computed from its plane's own number, so that no error adds up from cell to cell.
 #pragma once
+#include <array>
 #include <cstddef>
 
 #include "geometry/ray.h"
@@ -9,15 +8,7 @@
 
 /// How many cells a grid has along x, y and z, each at least 1; or which cell is meant, counting
 /// from 0.
-struct GridSize {
-  int counts[3];
-
-  int operator[](int axis) const { return counts[axis]; }
-  int& operator[](int axis) { return counts[axis]; }
-  friend bool operator==(const GridSize& a, const GridSize& b) {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-  }
-};
+using GridSize = std::array<int, 3>;
 
 /// Limits of a grid: cells along one axis, and in all.
 inline constexpr int kMaxGridSide = 1024;
@@ -43,12 +34,12 @@ void forEachCell(const CellRange& range, const Visit& visit) {
 
 class GridFrame {
  public:
-  /// Divides `box`, which is not empty and has finite corners. A side that is thinner than 2^-10
-  /// of the longest one is widened to that; a box that is a point gets a size of its own.
+  /// Divides `box`, which is not empty and has finite corners. A side that is thinner than 2^-10 of
+  /// the longest one is widened to that; a box that is a point gets a size of its own.
   GridFrame(const BoundingBox& box, const GridSize& size);
 
   const GridSize& size() const { return size_; }
-  std::size_t cellCount() const;
+  std::size_t cellCount() const { return indexOf({size_[0] - 1, size_[1] - 1, size_[2] - 1}) + 1; }
   std::size_t indexOf(const GridSize& cell) const {
     return (std::size_t(cell[2]) * std::size_t(size_[1]) + std::size_t(cell[1])) *
                std::size_t(size_[0]) +
@@ -58,13 +49,10 @@ class GridFrame {
   /// Where plane `number` (0..size) stands on `axis`: the lower side of the cell of that number.
   double plane(int axis, int number) const { return low_[axis] + side_[axis] * number; }
   BoundingBox boxOf(const GridSize& cell) const;
-  /// The number of the cell that holds x, the nearest one where x lies outside.
+  /// The number of the cell that holds x, the nearest one where x lies outside; 0 for NaN.
   int cellAt(int axis, double x) const;
-
-  /// The cells that `box` overlaps, box and cells with their boundaries: touching counts.
-  CellRange touchedBy(const BoundingBox& box) const;
-  /// The same, but a box that only touches a cell from outside does not count there. At least one
-  /// cell along each axis.
+  /// The cells that `box` overlaps. One that it only touches from outside does not count, but there
+  /// is at least one cell along each axis, the nearest where the box lies outside.
   CellRange overlappedBy(const BoundingBox& box) const;
 
  private:
@@ -75,8 +63,8 @@ class GridFrame {
 class CellWalk {
  public:
   /// Starts in the first cell that the ray passes at t >= tmin, which may be -infinity; a ray that
-  /// passes none is at its end at once. The frame is not owned. Each cell is left at the t at
-  /// which the next one is entered. A place within rounding of a cell's side may count to either
+  /// passes none is at its end at once. The frame is not owned. Each cell is left at the t at which
+  /// the next one is entered. A place within rounding of a cell's side may count to either
   /// neighbour: off by at most 2^-50 of the largest coordinate of origin and frame.
   CellWalk(const GridFrame& frame, const Ray& ray, double tmin);
 
@@ -84,8 +72,8 @@ class CellWalk {
   /// The cell, while not at the end.
   const GridSize& cell() const { return cell_; }
   std::size_t index() const { return frame_->indexOf(cell_); }
-  /// From which t to which t the ray is in the cell, and the axes across which it comes in and
-  /// goes out; enterAxis is -1 where the walk starts inside, enterT being tmin.
+  /// From which t to which t the ray is in the cell, and the axes across which it comes in and goes
+  /// out; enterAxis is -1 where the walk starts inside, enterT being tmin.
   double enterT() const { return enterT_; }
   double exitT() const { return exits_[exitAxis_]; }
   int enterAxis() const { return enterAxis_; }
@@ -94,7 +82,7 @@ class CellWalk {
   void advance();
 
  private:
-  double timeAt(int axis, int plane) const;
+  double parameterAt(int axis, int plane) const;
   bool enter(double tmin);
   void findExit(int axis);
   void chooseExit();
@@ -103,7 +91,7 @@ class CellWalk {
   Vec3d origin_, direction_;
   GridSize cell_{};
   double enterT_ = 0;
-  double exits_[3]{};
+  double exits_[3]{};  // where the ray would leave the cell across each axis
   int enterAxis_ = -1, exitAxis_ = 0;
   bool atEnd_;
 };

@@ -1,5 +1,15 @@
-// Prepares a packet of rays whose lines pass one point.
-#include "accel/prepare_packet.h"
+// Ray parameters rounded outwards, and packets.
+//
+// How a packet is prepared. All its lines pass one point (up to a spread, which widens the reach),
+// so in the tree's normalised space
+//   1. the point is moved there; the reach, the largest distance from it to a corner of the tree's
+//      box, decides the error bounds: beyond kFarthest they would leave too many rays open;
+//   2. directions are scaled by one power of two for all rays, so that the largest component is
+//      about 1; all must lie in one octant, away from its borders, so that one node's near and far
+//      planes are the same for all of them and interval arithmetic on the reciprocals is tight;
+//   3. tmin and tmax are counted from the point and rounded both ways, down and up;
+//   4. up to the next multiple of 16 the packet is filled with rays that can hit nothing.
+#include "accel/prepare_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,22 +18,24 @@
 namespace accel {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kRounding = 0x1p-24;
+/// Half of what a float holds, so that what is added to it is held as well.
+constexpr float kHalfOfMost = 0x1p127f;
 /// Seen from further away, in sizes of the tree, too many rays would stay open.
 constexpr double kFarthest = 64;
 
 /// A float surely not above t.
 inline float below(double t) {
-  constexpr double kMost = double(std::numeric_limits<float>::max());
-  const double limited = t < kMost ? t : kMost;
+  constexpr double kLargest = double(std::numeric_limits<float>::max());
+  const double limited = t < kLargest ? t : kLargest;
   return float(limited - std::fabs(limited) * (2 * kRounding));
 }
 
 inline float above(double t) { return -below(-t); }
 
 struct Extremes {
-  float least = kInf, most = -kInf;
+  float least = kInfinity, most = -kInfinity;
 
   Extremes(const float* values, int count) {
     for (int i = 0; i < count; ++i) {
@@ -75,8 +87,8 @@ void fillUp(RayPacket& packet, int count) {
       packet.direction[axis][i] = packet.direction[axis][0];
       packet.reciprocal[axis][i] = packet.reciprocal[axis][0];
     }
-    packet.tminDown[i] = packet.tminUp[i] = kInf;
-    packet.tmaxDown[i] = packet.tmaxUp[i] = -kInf;
+    packet.tminDown[i] = packet.tminUp[i] = kInfinity;
+    packet.tmaxDown[i] = packet.tmaxUp[i] = -kInfinity;
     packet.leafBits[i] = packet.laneBits[i] = 0;
   }
 }
@@ -95,6 +107,15 @@ void setPoint(const Vec3d& point, double reach, RayPacket& packet) {
 }
 
 }  // namespace
+
+float ParameterMap::below(double t) const {
+  const double x = t * scale - shift;
+  if (x > kHalfOfMost) return kHalfOfMost;
+  if (x < -kHalfOfMost) return -kInfinity;
+  return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
+}
+
+float ParameterMap::above(double t) const { return -ParameterMap{-scale, -shift}.below(t); }
 
 bool preparePacket(const WideBvh& bvh, const Beam& beam, RayPacket& packet) {
   const Vec3d point = (beam.point - Vec3d(bvh.anchor[0], bvh.anchor[1], bvh.anchor[2])) * bvh.scale;

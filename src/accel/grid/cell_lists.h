@@ -1,25 +1,32 @@
-// GridLists: for each cell the items whose surface may be met in it.
+// CellLists: for each cell of a grid the items whose surface may be met in it.
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "accel/grid.h"
-#include "accel/grid_frame.h"
-#include "accel/grid_parts.h"
+#include "accel/grid/grid.h"
+#include "accel/grid/grid_frame.h"
+#include "accel/grid/grid_objects.h"
 
 namespace accel {
 
-/// Parts [first, last) of an object: some faces of a mesh, or the whole of anything else.
+/// Faces [first, last) of a mesh, or the whole of any other object.
 struct GridItem {
-  const PlacedObject* object;  // not owned
+  const GridObject* object;  // not owned
   std::uint32_t first, last;
+
+  friend bool operator<(const GridItem& a,
+                        const GridItem& b) {  // in scene order
+    return std::make_pair(a.object->order, a.first) < std::make_pair(b.object->order, b.first);
+  }
+  friend bool operator==(const GridItem& a, const GridItem& b) { return !(a < b) && !(b < a); }
 };
 
-class GridLists {
+class CellLists {
  public:
-  /// `parts` is not owned. See Grid about the limits that `size` gives way to.
-  GridLists(const GridParts& parts, const GridSize& size, const GridLimits& limits);
+  /// `objects` is not owned. See Grid about the limits that `size` gives way to.
+  CellLists(const GridObjects& objects, const GridSize& size, const GridLimits& limits);
 
   /// Nothing where no object has a place in the grid.
   const std::optional<GridFrame>& frame() const { return frame_; }
@@ -39,15 +46,15 @@ class GridLists {
 
   void listItems(double most);
   BoundingBox widenedBox(std::uint32_t number) const;
+  CellRange cellsOf(std::uint32_t number) const { return frame_->overlappedBy(widenedBox(number)); }
   void chooseFrame(const GridSize& size, double mostEntries);
   std::vector<bool> findMeetings() const;
   void fill();
 
-  const GridParts& parts_;
+  const GridObjects& objects_;
   std::uint32_t run_ = 1;  // how many faces of a mesh make one item
   std::vector<Item> items_;
   BoundingBox box_;
-  double largestMargin_ = 0;
   std::optional<GridFrame> frame_;
   std::vector<std::uint32_t> starts_, entries_;
 };

@@ -1,4 +1,14 @@
-// Space: sorting the entries into the tree.
+// ObjectTree: sorting the members into the tree.
+//
+//   1. Each member gets its box: a mesh that of its tree, a Transform the box of the moved corners
+//      of its inside's box. Without a box, or with numbers whose squares leave the range of double,
+//      a member is asked one by one; triangles without area are left out.
+//   2. The tree's normalised space is chosen: the middle of all boxes is the anchor, and a power of
+//      two scales the longest side to 1 to 2. Boxes are rounded outwards there, to float.
+//   3. The builder makes the nodes; leaves are written here: spheres and triangles in numbers that
+//      the kernels can test, everything else as the number of its member alone.
+// Transforms below make hits less exact than the kernels' error bounds say; by how much is noted in
+// the tree, and rays are prepared with boxes that are wider by that.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,7 +18,7 @@
 #include "accel/bvh_builder.h"
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
-#include "accel/space.h"
+#include "accel/object_tree.h"
 #include "geometry/sphere.h"
 #include "geometry/triangle.h"
 
@@ -18,8 +28,11 @@ namespace {
 /// Up to this many objects are asked one by one: a tree would not pay.
 constexpr std::size_t kFewObjects = 3;
 
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+
 /// The box of a box's corners under a Transform.
-BoundingBox movedBox(const Transform& transform, const Vec3d& low, const Vec3d& high) {
+BoundingBox movedBox(const Transform& transform, const BoundingBox& inside) {
+  const Vec3d &low = inside.low(), &high = inside.high();
   BoundingBox box;
   for (int corner = 0; corner < 8; ++corner) {
     box.extend(transform.getMatrix().transformPoint({(corner & 1) != 0 ? high.x() : low.x(),
@@ -29,38 +42,36 @@ BoundingBox movedBox(const Transform& transform, const Vec3d& low, const Vec3d& 
   return box;
 }
 
-BoundingBox boxOf(const Entry& entry) {
+BoundingBox boxOf(const TreeMember& member) {
   BoundingBox box;
-  switch (entry.kind) {
-    case Entry::Kind::mesh:
-      return {entry.mesh->low(), entry.mesh->high()};
-    case Entry::Kind::movedMesh:
-      return movedBox(static_cast<const Transform&>(*entry.object), entry.mesh->low(),
-                      entry.mesh->high());
-    case Entry::Kind::movedSpace:
-      return movedBox(static_cast<const Transform&>(*entry.object), entry.space->box().low(),
-                      entry.space->box().high());
-    case Entry::Kind::plain:
-      entry.object->addBounds(Matrix(), box);
+  switch (member.kind) {
+    case TreeMember::Kind::mesh:
+      return member.meshTree->box();
+    case TreeMember::Kind::transformedMesh:
+      return movedBox(member.transform(), member.meshTree->box());
+    case TreeMember::Kind::transformedTree:
+      return movedBox(member.transform(), member.objectTree->box());
+    case TreeMember::Kind::plain:
+      member.object->addBounds(Matrix(), box);
   }
   return box;
 }
 
-bool isBounded(const Entry& entry) {
-  return entry.kind == Entry::Kind::movedSpace ? entry.space->isBounded()
-                                               : entry.object->isBounded();
+bool isBounded(const TreeMember& member) {
+  return member.kind == TreeMember::Kind::transformedTree ? member.objectTree->isBounded()
+                                                          : member.object->isBounded();
 }
 
-LeafKind leafKindOf(const Entry& entry) {
-  if (entry.kind != Entry::Kind::plain) return LeafKind::objects;
-  if (exactly<Sphere>(entry.object)) return LeafKind::spheres;
-  if (exactly<Triangle>(entry.object)) return LeafKind::looseTriangles;
+LeafKind leafKindOf(const TreeMember& member) {
+  if (member.kind != TreeMember::Kind::plain) return LeafKind::objects;
+  if (exactly<Sphere>(member.object)) return LeafKind::spheres;
+  if (exactly<Triangle>(member.object)) return LeafKind::looseTriangles;
   return LeafKind::objects;
 }
 
 /// True where no ray can ever hit the object.
-bool isNothing(const Entry& entry) {
-  const auto* triangle = exactly<Triangle>(entry.object);
+bool isNothing(const TreeMember& member) {
+  const auto* triangle = exactly<Triangle>(member.object);
   return triangle && !triangle->hasArea();
 }
 
@@ -71,18 +82,11 @@ bool isMeasurable(const BoundingBox& box) {
   return largest < 0x1p500 && box.longestSide() > 0x1p-450;
 }
 
-float roundedDown(double x) {
-  return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
-}
-float roundedUp(double x) {
-  return std::nextafter(float(x), std::numeric_limits<float>::infinity());
-}
-
 /// Writes leaves of loose triangles, spheres and other objects, in the space of `bvh`.
-class SpaceLeafWriter : public LeafWriter {
+class ObjectLeafWriter : public LeafWriter {
  public:
-  SpaceLeafWriter(const std::vector<Entry>& entries, const WideBvh& bvh)
-      : entries_(entries), bvh_(bvh) {}
+  ObjectLeafWriter(const std::vector<TreeMember>& entries, const WideBvh& bvh)
+      : members_(entries), bvh_(bvh) {}
 
   void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
              std::uint32_t* words) const override {
@@ -98,7 +102,7 @@ class SpaceLeafWriter : public LeafWriter {
     const LeafKind kind = items[0].kind;
     float edge = 0;
     for (int i = 0; i < count; ++i) {
-      const Object3D* object = entries_[items[i].id].object;
+      const Object3D* object = members_[items[i].id].object;
       std::uint32_t* column = words + 1 + i;
       if (kind == LeafKind::looseTriangles) {
         edge = std::max(edge, writeTriangle(static_cast<const Triangle&>(*object), column, count));
@@ -134,26 +138,28 @@ class SpaceLeafWriter : public LeafWriter {
     std::memcpy(column + 3 * stride, &radius, sizeof radius);
   }
 
-  const std::vector<Entry>& entries_;
+  const std::vector<TreeMember>& members_;
   const WideBvh& bvh_;
 };
 
-/// Noise beyond this leaves everything open, and is still held by all numbers made of it.
-double limitedNoise(double noise) { return noise < 0x1p60 ? noise : 0x1p60; }
+/// Error beyond this leaves everything open, and is still held by all numbers made of it.
+double limitedError(double error) { return error < 0x1p60 ? error : 0x1p60; }
 
-/// Notes the noise for origins that are measured from the anchor, in normalised units.
-void setNoise(const MapNoise& noise, WideBvh& bvh) {
+/// Notes the error for origins that are measured from the anchor, in normalised units.
+void setTransformError(const TransformError& error, WideBvh& bvh) {
   const double anchor =
       std::max({std::fabs(bvh.anchor[0]), std::fabs(bvh.anchor[1]), std::fabs(bvh.anchor[2])});
-  bvh.noiseFactor = 1 + limitedNoise(noise.perSize);
-  bvh.noise = limitedNoise((noise.perSize * anchor + noise.fixed) * bvh.scale);
+  bvh.errorFactor = 1 + limitedError(error.perSize);
+  bvh.fixedError = limitedError((error.perSize * anchor + error.fixed) * bvh.scale);
 }
 
+/// The box in the space of the tree, rounded outwards.
 BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, LeafKind kind) {
   BuildItem item{};
   for (int axis = 0; axis < 3; ++axis) {
-    item.low[axis] = roundedDown((box.low()[axis] - bvh.anchor[axis]) * bvh.scale);
-    item.high[axis] = roundedUp((box.high()[axis] - bvh.anchor[axis]) * bvh.scale);
+    const double anchor = bvh.anchor[axis], scale = bvh.scale;
+    item.low[axis] = std::nextafter(float((box.low()[axis] - anchor) * scale), -kFloatInfinity);
+    item.high[axis] = std::nextafter(float((box.high()[axis] - anchor) * scale), kFloatInfinity);
   }
   item.id = id;
   item.kind = kind;
@@ -162,16 +168,16 @@ BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, L
 
 }  // namespace
 
-void Space::finish(int threads) {
+void ObjectTree::finish(int threads) {
   std::vector<BoundingBox> boxes;
   std::vector<std::uint32_t> inTree;
-  for (std::uint32_t id = 0; id < entries_.size(); ++id) {
-    const Entry& entry = entries_[id];
-    if (isNothing(entry)) continue;
-    const BoundingBox box = accel::isBounded(entry) ? boxOf(entry) : BoundingBox();
+  for (std::uint32_t id = 0; id < members_.size(); ++id) {
+    const TreeMember& member = members_[id];
+    if (isNothing(member)) continue;
+    const BoundingBox box = accel::isBounded(member) ? boxOf(member) : BoundingBox();
     const bool isInBox = box.isEmpty() || isMeasurable(box);
     // A Transform of this space then has no box either.
-    if (!accel::isBounded(entry) || !isInBox) bounded_ = false;
+    if (!accel::isBounded(member) || !isInBox) bounded_ = false;
     if (box.isEmpty() || !isInBox) {
       direct_.push_back(id);
       continue;
@@ -188,15 +194,15 @@ void Space::finish(int threads) {
   for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = middle[axis];
   const double longest = std::max(box_.longestSide(), std::numeric_limits<double>::min());
   bvh_.scale = std::ldexp(1.0, std::clamp(-std::ilogb(longest), -1000, 1000));
-  setNoise(noise_, bvh_);
+  setTransformError(error_, bvh_);
   BuildItems items(inTree.size());
   for (std::size_t i = 0; i < inTree.size(); ++i) {
-    items.add(itemOf(boxes[i], bvh_, inTree[i], leafKindOf(entries_[inTree[i]])));
+    items.add(itemOf(boxes[i], bvh_, inTree[i], leafKindOf(members_[inTree[i]])));
   }
   boxes = {};
   inTree = {};
-  Team::run(threads, items.count(), [&](Team& team) {
-    buildWideBvh(bvh_, std::move(items), SpaceLeafWriter(entries_, bvh_), team);
+  ThreadPool::run(threads, items.count(), [&](ThreadPool& pool) {
+    buildWideBvh(bvh_, std::move(items), ObjectLeafWriter(members_, bvh_), pool);
   });
 }
 

@@ -1,20 +1,22 @@
-// PartShape: a ball or a triangle of the world, and whether it has a part in a cell of a grid.
-// What is neither (a squashed ball, an object of an unknown class) is known by its box alone, of
-// which every cell that is asked about is taken to be a part.
+// WorldShape: a ball or a triangle of the world, and whether it reaches into a cell of a grid. What
+// is neither (a squashed ball, an object of an unknown class) is known by its box alone, and is
+// taken to reach into every cell that is asked about.
 #pragma once
+#include <array>
+
 #include "math/bounding_box.h"
 #include "math/matrix.h"
 
 namespace accel {
 
-class PartShape {
+class WorldShape {
  public:
   /// Known by its box alone: meets every cell.
-  PartShape() = default;
+  WorldShape() = default;
   /// The ball around `center` that `toWorld` makes of one of this radius > 0; known by its box
   /// alone where it is no ball, because the map does not stretch all directions alike.
-  static PartShape ball(const Matrix& toWorld, const Vec3d& center, double radius);
-  static PartShape triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+  static WorldShape ball(const Matrix& toWorld, const Vec3d& center, double radius);
+  static WorldShape triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 
   bool isKnown() const { return kind_ != Kind::box; }
 
@@ -23,16 +25,19 @@ class PartShape {
   /// side. Sources: Arvo, "A Simple Method for Box-Sphere Intersection Testing", Graphics Gems,
   /// 1990; Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", 2001.
   bool meets(const BoundingBox& cell) const;
-  /// Whether the whole cell is inside the ball, so that the ball's surface has no part in it.
+  /// Whether the whole cell is inside the ball, so that the ball's surface is nowhere in it.
   bool surrounds(const BoundingBox& cell) const;
 
  private:
   enum class Kind { box, ball, triangle };
 
+  WorldShape(Kind kind, const std::array<Vec3d, 3>& points, double radius)
+      : kind_(kind), points_(points), radius_(radius) {}
+
   bool isSeparated(const Vec3d& axis, const BoundingBox& cell) const;
 
   Kind kind_ = Kind::box;
-  Vec3d points_[3];  // the centre alone of a ball
+  std::array<Vec3d, 3> points_;  // the centre alone of a ball
   double radius_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// Team: the threads of one build. They are started once: a build has dozens of short parallel
-// steps.
+// ThreadPool: the threads of one build. They are started once: a build has dozens of short parallel
+// steps, each shorter than starting a thread would take.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -14,14 +14,14 @@
 
 namespace accel {
 
-class Team {
+class ThreadPool {
  public:
-  /// A team of one: everything is done by the caller.
-  Team() : threads_(1) {}
-  /// Runs body(team) on a thread that can then call forEachIndex; returns when it has returned.
+  /// A pool of one: everything is done by the caller.
+  ThreadPool() : threads_(1) {}
+  /// Runs body(pool) on a thread that can then call forEachIndex; returns when it has returned.
   /// What it throws is thrown again. With one thread, or fewer than kLeastShared `items` to build a
   /// tree of, body runs on this one alone.
-  static void run(int threads, std::size_t items, const std::function<void(Team&)>& body);
+  static void run(int threads, std::size_t items, const std::function<void(ThreadPool&)>& body);
 
   static constexpr std::size_t kLeastShared = 16384;
 
@@ -32,7 +32,8 @@ class Team {
   void forEachIndex(std::size_t count, const std::function<void(std::size_t)>& work);
 
  private:
-  explicit Team(int threads) : threads_(threads) {}
+  struct Ending;
+  explicit ThreadPool(int threads) : threads_(threads) {}
   void serve();
   void takeIndices(const std::function<void(std::size_t)>& work, std::size_t count);
 

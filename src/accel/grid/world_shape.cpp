@@ -1,5 +1,11 @@
-// PartShape: distances for balls, separating axes for triangles.
-#include "accel/part_shape.h"
+// WorldShape: distances for balls, separating axes for triangles.
+//
+// A ball meets a cell whose nearest point is nearer than the radius, and surrounds one whose
+// farthest point is. A triangle and a cell are apart exactly if they are so seen along one of 13
+// axes: the cell's three, along which their boxes are known to overlap; the triangle's normal; and
+// the nine cross products of an edge with a side of the cell. Along each axis the triangle's three
+// corners are compared with half the cell's extent.
+#include "accel/grid/world_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,24 +38,17 @@ bool isCellAxis(const Vec3d& axis) {
 
 }  // namespace
 
-PartShape PartShape::ball(const Matrix& toWorld, const Vec3d& center, double radius) {
-  PartShape shape;
-  shape.radius_ = radius * similarityOf(toWorld);
-  shape.points_[0] = toWorld.transformPoint(center);
-  if (shape.radius_ > 0) shape.kind_ = Kind::ball;
-  return shape;
+WorldShape WorldShape::ball(const Matrix& toWorld, const Vec3d& center, double radius) {
+  const double stretch = similarityOf(toWorld);
+  if (!(radius * stretch > 0)) return {};
+  return {Kind::ball, {toWorld.transformPoint(center), {}, {}}, radius * stretch};
 }
 
-PartShape PartShape::triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  PartShape shape;
-  shape.kind_ = Kind::triangle;
-  shape.points_[0] = a;
-  shape.points_[1] = b;
-  shape.points_[2] = c;
-  return shape;
+WorldShape WorldShape::triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return {Kind::triangle, {a, b, c}, 0};
 }
 
-bool PartShape::meets(const BoundingBox& cell) const {
+bool WorldShape::meets(const BoundingBox& cell) const {
   if (kind_ == Kind::box) return true;
   if (kind_ == Kind::ball) {
     Vec3d apart;
@@ -59,14 +58,11 @@ bool PartShape::meets(const BoundingBox& cell) const {
     }
     return dot(apart, apart) < radius_ * radius_;
   }
-  const Vec3d edges[3] = {points_[1] - points_[0], points_[2] - points_[1],
-                          points_[0] - points_[2]};
-  if (isSeparated(cross(edges[0], edges[1]), cell)) return false;
-  for (const Vec3d& edge : edges) {
-    if (isSeparated({0, -edge.z(), edge.y()}, cell) ||
-        isSeparated({edge.z(), 0, -edge.x()}, cell) ||
-        isSeparated({-edge.y(), edge.x(), 0}, cell)) {
-      return false;
+  const Vec3d &a = points_[0], &b = points_[1], &c = points_[2];
+  if (isSeparated(cross(b - a, c - b), cell)) return false;
+  for (const Vec3d& side : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)}) {
+    for (const Vec3d& edge : {b - a, c - b, a - c}) {
+      if (isSeparated(cross(side, edge), cell)) return false;
     }
   }
   return true;
@@ -74,7 +70,7 @@ bool PartShape::meets(const BoundingBox& cell) const {
 
 /// Whether triangle and cell, seen along `axis`, are beside each other. Along the cell's own axes
 /// they are not, since their boxes overlap.
-bool PartShape::isSeparated(const Vec3d& axis, const BoundingBox& cell) const {
+bool WorldShape::isSeparated(const Vec3d& axis, const BoundingBox& cell) const {
   if (isCellAxis(axis)) return false;
   const Vec3d middle = (cell.low() + cell.high()) * 0.5, half = (cell.high() - cell.low()) * 0.5;
   const double reach =
@@ -85,7 +81,7 @@ bool PartShape::isSeparated(const Vec3d& axis, const BoundingBox& cell) const {
   return std::min({a, b, c}) >= reach || std::max({a, b, c}) <= -reach;
 }
 
-bool PartShape::surrounds(const BoundingBox& cell) const {
+bool WorldShape::surrounds(const BoundingBox& cell) const {
   if (kind_ != Kind::ball) return false;
   Vec3d farthest;
   for (int axis = 0; axis < 3; ++axis) {

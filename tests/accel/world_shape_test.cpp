@@ -1,5 +1,5 @@
 // Which cells a ball and a triangle have a part in.
-#include "accel/part_shape.h"
+#include "accel/grid/world_shape.h"
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 #include "random.h"
 #include "vectors.h"
 
-using accel::PartShape;
+using accel::WorldShape;
 
 namespace {
 
@@ -65,7 +65,7 @@ TEST("a triangle meets the cells in which clipping leaves some of it") {
     if (!overlap(corners, cell)) continue;
     const double area = areaInside(corners, cell);
     if (area > 0 && area < 1e-6) continue;  // hardly more than touched
-    const bool meets = PartShape::triangle(corners[0], corners[1], corners[2]).meets(cell);
+    const bool meets = WorldShape::triangle(corners[0], corners[1], corners[2]).meets(cell);
     (area > 0 ? met : missed) += 1;
     if (meets != (area > 0)) failure = "case " + std::to_string(i);
   }
@@ -76,41 +76,41 @@ TEST("a triangle meets the cells in which clipping leaves some of it") {
 TEST("touching a cell is not enough, but lying in the plane of its side is") {
   // A corner on the edge x = y = 1 of the cell, and a triangle in the plane x + y = 2 through it.
   const Vec3d beside(3, -0.5, 0.2), above(-0.5, 3, 0.8);
-  CHECK(!PartShape::triangle({1, 1, 0.5}, beside, above).meets(kUnitCell));
-  CHECK(!PartShape::triangle({0, 2, 0}, {2, 0, 0}, {1, 1, 1}).meets(kUnitCell));
+  CHECK(!WorldShape::triangle({1, 1, 0.5}, beside, above).meets(kUnitCell));
+  CHECK(!WorldShape::triangle({0, 2, 0}, {2, 0, 0}, {1, 1, 1}).meets(kUnitCell));
   // The same, moved inwards by 1e-6.
-  CHECK(PartShape::triangle({1 - 1e-6, 1, 0.5}, beside, above).meets(kUnitCell));
-  CHECK(PartShape::triangle({0, 2 - 1e-6, 0}, {2, 0, 0}, {1, 1 - 1e-6, 1}).meets(kUnitCell));
+  CHECK(WorldShape::triangle({1 - 1e-6, 1, 0.5}, beside, above).meets(kUnitCell));
+  CHECK(WorldShape::triangle({0, 2 - 1e-6, 0}, {2, 0, 0}, {1, 1 - 1e-6, 1}).meets(kUnitCell));
   // In the plane z = 1, flat or nearly so.
   for (const double tilt : {0.0, 1e-15}) {
-    CHECK(PartShape::triangle({-1, 0, 1}, {3, -1, 1 - tilt}, {0, 3, 1 + tilt}).meets(kUnitCell));
+    CHECK(WorldShape::triangle({-1, 0, 1}, {3, -1, 1 - tilt}, {0, 3, 1 + tilt}).meets(kUnitCell));
   }
 }
 
 TEST("a ball meets a cell that is nearer than its radius, and surrounds one that is all inside") {
   // From (2, 3, 0.5) the nearest point of the unit cell is (1, 1, 0.5), sqrt(5) away.
   const Vec3d center(2, 3, 0.5);
-  CHECK(!PartShape::ball(Matrix(), center, std::sqrt(5) - 1e-12).meets(kUnitCell));
-  CHECK(PartShape::ball(Matrix(), center, std::sqrt(5) + 1e-12).meets(kUnitCell));
+  CHECK(!WorldShape::ball(Matrix(), center, std::sqrt(5) - 1e-12).meets(kUnitCell));
+  CHECK(WorldShape::ball(Matrix(), center, std::sqrt(5) + 1e-12).meets(kUnitCell));
   // The farthest is (0, 0, 0) or (0, 0, 1): sqrt(13.25) away.
-  CHECK(!PartShape::ball(Matrix(), center, std::sqrt(13.25) - 1e-12).surrounds(kUnitCell));
-  CHECK(PartShape::ball(Matrix(), center, std::sqrt(13.25) + 1e-12).surrounds(kUnitCell));
+  CHECK(!WorldShape::ball(Matrix(), center, std::sqrt(13.25) - 1e-12).surrounds(kUnitCell));
+  CHECK(WorldShape::ball(Matrix(), center, std::sqrt(13.25) + 1e-12).surrounds(kUnitCell));
   // From inside it is met, however small.
-  CHECK(PartShape::ball(Matrix(), {0.5, 0.5, 0.5}, 0.01).meets(kUnitCell));
+  CHECK(WorldShape::ball(Matrix(), {0.5, 0.5, 0.5}, 0.01).meets(kUnitCell));
 }
 
 TEST("turned, mirrored and evenly stretched a ball stays one; otherwise only its box is known") {
   const Matrix turned = Matrix::rotation({1, 2, 3}, 40) * Matrix::scale({2, -2, 2});
   const Vec3d center(1, 1, 1);
   // Twice the radius, at twice the distance from the origin: sqrt(12) - 2 is left.
-  const PartShape ball = PartShape::ball(turned, center, 1);
+  const WorldShape ball = WorldShape::ball(turned, center, 1);
   CHECK(ball.isKnown());
   const Vec3d middle = turned.transformPoint(center);
   const Vec3d end = middle * ((std::sqrt(12) - 2) / length(middle));
   CHECK(ball.meets({end * 1.001, end * 1.001}));
   CHECK(!ball.meets({end * 0.999, end * 0.999}));
-  CHECK(!PartShape::ball(Matrix::scale({1, 1, 1.001}), center, 1).isKnown());
+  CHECK(!WorldShape::ball(Matrix::scale({1, 1, 1.001}), center, 1).isKnown());
   const double rows[3][4] = {{1, 0.001, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-  CHECK(!PartShape::ball(Matrix(rows), center, 1).isKnown());
-  CHECK(PartShape().meets(kUnitCell) && !PartShape().surrounds(kUnitCell));
+  CHECK(!WorldShape::ball(Matrix(rows), center, 1).isKnown());
+  CHECK(WorldShape().meets(kUnitCell) && !WorldShape().surrounds(kUnitCell));
 }

@@ -1,30 +1,35 @@
-// Team: helpers sleep between the steps; whoever is late finds the step gone and sleeps on.
-#include "accel/parallel.h"
+// ThreadPool: the other threads sleep between the steps; whoever wakes late finds the step gone and
+// sleeps on.
+//
+// A step is a range of indices. The caller publishes it, wakes all, and takes indices itself from
+// one atomic counter like everybody else; when there are none left it waits only for those threads
+// that have begun one. The first exception of a step ends it and is thrown again by the caller.
+#include "accel/thread_pool.h"
 
 namespace accel {
 
-void Team::run(int threads, std::size_t items, const std::function<void(Team&)>& body) {
+/// Sends the other threads home when the body has returned or thrown.
+struct ThreadPool::Ending {
+  ThreadPool& pool;
+  ~Ending() {
+    const std::lock_guard<std::mutex> lock(pool.mutex_);
+    pool.ended_ = true;
+    pool.changed_.notify_all();
+  }
+};
+
+void ThreadPool::run(int threads, std::size_t items, const std::function<void(ThreadPool&)>& body) {
   constexpr std::size_t kStackBytes = 1 << 20;
-  Team team(items < kLeastShared ? 1 : threads);
-  if (team.threads_ == 1) return body(team);
+  ThreadPool pool(items < kLeastShared ? 1 : threads);
+  if (pool.threads_ == 1) return body(pool);
   runOnThreads(threads, kStackBytes, [&](int worker) {
-    if (worker != 0) return team.serve();
-    std::exception_ptr failure;
-    try {
-      body(team);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    {
-      const std::lock_guard<std::mutex> lock(team.mutex_);
-      team.ended_ = true;
-    }
-    team.changed_.notify_all();
-    if (failure) std::rethrow_exception(failure);
+    if (worker != 0) return pool.serve();
+    const Ending ending{pool};
+    body(pool);
   });
 }
 
-void Team::forEachIndex(std::size_t count, const std::function<void(std::size_t)>& work) {
+void ThreadPool::forEachIndex(std::size_t count, const std::function<void(std::size_t)>& work) {
   if (threads_ == 1 || count <= 1) {
     for (std::size_t index = 0; index < count; ++index) work(index);
     return;
@@ -44,7 +49,7 @@ void Team::forEachIndex(std::size_t count, const std::function<void(std::size_t)
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
-void Team::serve() {
+void ThreadPool::serve() {
   std::unique_lock<std::mutex> lock(mutex_);
   for (std::size_t done = 0;;) {
     changed_.wait(lock, [&] { return ended_ || (work_ && step_ != done); });
@@ -60,7 +65,7 @@ void Team::serve() {
   }
 }
 
-void Team::takeIndices(const std::function<void(std::size_t)>& work, std::size_t count) {
+void ThreadPool::takeIndices(const std::function<void(std::size_t)>& work, std::size_t count) {
   try {
     for (std::size_t index; (index = next_++) < count;) work(index);
   } catch (...) {

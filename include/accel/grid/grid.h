@@ -1,0 +1,65 @@
+// Grid: the whole scene as one Object3D that finds hits through a uniform grid of cells.
+// It gives exactly the answers of the objects it was made from: same t, material, normal.
+//
+// Each cell lists the spheres, the triangles and the faces of meshes, inside Transforms too, whose
+// surface in the world may be met in it (of spheres that Transforms squash, the box); a ray asks
+// the cells it passes, one after the other, and stops where no later cell can hold anything nearer.
+// Cells count as wider by a bound on all rounding, so that no hit is lost; what has no bounds, or
+// numbers too extreme for that, is asked one by one, and so is everything by a ray from more than a
+// thousand sizes of the scene away.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "accel/counting_tree.h"
+#include "accel/grid/grid_frame.h"
+#include "geometry/object3d.h"
+
+namespace accel {
+class CellLists;
+class GridObjects;
+}  // namespace accel
+
+/// What bounds the memory of a grid.
+struct GridLimits {
+  double items = 0x1p25;    ///< objects and triangles, at the most, that are listed one by one
+  double entries = 0x1p26;  ///< of the lists of all cells together
+};
+
+class Grid : public Object3D {
+ public:
+  /// Sorts everything below `root` into cells. `root` and what it holds are not owned, must outlive
+  /// the grid and must not change any more. Where the lists would have more entries than `limits`
+  /// allow, the sides of `size` are halved until they have not; where the scene has more items, 2,
+  /// 4, 8 ... faces of a mesh in a row are listed as one. Where `tally` (not owned) is not null, it
+  /// is told the cells visited and the objects and faces tested, each as often as cells list it;
+  /// for crossings once.
+  Grid(const Object3D& root, const GridSize& size, const GridLimits& limits = {},
+       TestTally* tally = nullptr);
+  ~Grid() override;
+
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
+  bool occluded(const Ray& ray, double tmin, double tmax) const override;
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+
+  /// What was built, in one line: cells, entries of their lists, objects beside.
+  std::string describe() const;
+
+ private:
+  /// What a ray has to ask.
+  enum class Way {
+    cells,       ///< the cells that it passes, and the objects beside
+    beside,      ///< the objects beside alone: nothing listed can be met
+    everything,  ///< the cells tell too little: the plain objects
+  };
+  Way wayOf(const Ray& ray, double tmin, double tmax) const;
+  template <class Question>
+  bool ask(Way way, const Ray& ray, double tmin, Question& question) const;
+
+  TestTally* tally_;                         // not owned
+  std::optional<CountingTree> countedRoot_;  // where there is a tally
+  const Object3D* plain_;                    // the root itself, or counted
+  std::unique_ptr<const accel::GridObjects> objects_;
+  std::unique_ptr<const accel::CellLists> lists_;
+};
