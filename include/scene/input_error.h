@@ -1,8 +1,13 @@
-// InputError: a mistake in a scene or mesh file. Thrown by scene/, caught once, in main.
+// InputError: a mistake in a scene or mesh file, and MistakeLog, where such mistakes go: the first
+// one is thrown, to be caught once, in main; or all are collected, for -check.
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 class InputError : public std::runtime_error {
  public:
@@ -14,9 +19,45 @@ class InputError : public std::runtime_error {
         line_(line) {}
 
   const std::string& getFile() const { return file_; }
+  /// Counted from 1; 0 where the file as a whole is meant.
   std::size_t getLine() const { return line_; }
 
  private:
   std::string file_;
   std::size_t line_;
+};
+
+class MistakeLog {
+ public:
+  enum class Mode { throwFirst, collect };
+  /// Thrown by add() when so many mistakes are collected that reading on makes no sense.
+  class Full : public std::exception {};
+  static constexpr std::size_t kCapacity = 100;
+
+  explicit MistakeLog(Mode mode) : mode_(mode) {}
+
+  std::size_t count() const { return mistakes_.size(); }
+
+  /// Throws `mistake`, or keeps it; `place` says where in the scene file it belongs, in bytes.
+  void add(std::size_t place, const InputError& mistake) {
+    // A copy that finds no memory throws bad_alloc in its place.
+    if (mode_ == Mode::throwFirst) throw mistake;  // NOLINT(cert-err60-cpp)
+    mistakes_.emplace_back(place, mistake);
+    if (mistakes_.size() >= kCapacity) throw Full();
+  }
+
+  /// Everything collected, in file order.
+  std::vector<InputError> inOrder() const {
+    auto sorted = mistakes_;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<InputError> mistakes;
+    mistakes.reserve(sorted.size());
+    for (const auto& [place, mistake] : sorted) mistakes.push_back(mistake);
+    return mistakes;
+  }
+
+ private:
+  Mode mode_;
+  std::vector<std::pair<std::size_t, InputError>> mistakes_;  // with their places
 };

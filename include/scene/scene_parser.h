@@ -65,8 +65,8 @@ class SceneParser {
   const SolidObjects* getSolids() const { return solids_ ? &*solids_ : nullptr; }
 
  private:
-  friend class SceneBuilder;  // fills the vectors below while reading
-  SceneParser() = default;    // empty, for check()
+  friend class SceneReader;  // fills all below while reading
+  SceneParser() = default;   // empty, for check()
 
   std::unique_ptr<Camera> camera_;
   Vec3f backgroundColor_{0.5f, 0.5f, 0.5f};

@@ -1,15 +1,18 @@
 // Wording: how messages show words of the input, and which word was probably meant.
 #pragma once
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 /// Some words in a row; a view of an array that outlives it.
 class WordList {
  public:
-  WordList(const std::string_view* first, std::size_t size) : first_(first), size_(size) {}
-  template <std::size_t size>
-  WordList(const std::string_view (&words)[size]) : WordList(words, size) {}
+  constexpr WordList(const std::string_view* first, std::size_t size)
+      : first_(first), size_(size) {}
+  /// An array, a std::array or a vector.
+  template <class Words>
+  constexpr WordList(const Words& words) : WordList(std::data(words), std::size(words)) {}
 
   const std::string_view* begin() const { return first_; }
   const std::string_view* end() const { return first_ + size_; }

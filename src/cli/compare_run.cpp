@@ -15,7 +15,7 @@
 #include "cli/render_run.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
-#include "scene/whole_file.h"
+#include "scene/source_text.h"
 #include "system/files.h"
 #include "system/worker_threads.h"
 

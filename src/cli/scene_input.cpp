@@ -5,7 +5,7 @@
 #include "cli/messages.h"
 #include "cli/out_of_memory.h"
 #include "cli/sampling_arguments.h"
-#include "scene/mistake_log.h"
+#include "scene/input_error.h"
 #include "scene/source_text.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "scene/obj_reader.h"
-#include "scene/whole_file.h"
+#include "scene/source_text.h"
 #include "scene/wording.h"
 #include "system/worker_threads.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/mesh_geometry.h"
-#include "scene/mistake_log.h"
+#include "scene/input_error.h"
 #include "scene/source_text.h"
 
 class MeshLibrary {

@@ -1,283 +1,182 @@
-// Reading numbers: quick arithmetic where it is provably exact, and the C library for the rest.
-// Source: Clinger, "How to Read Floating Point Numbers Accurately", PLDI 1990.
+// Reading numbers. Three ways, each for what the one before cannot do:
+//  1. decimal.h: short numbers without an exponent, eight bytes at a time;
+//  2. up to 19 digits, with an exponent or near the text's end: digit by digit, then one rounded
+//     operation on two doubles that are exact. Source: Clinger, "How to Read Floating Point Numbers
+//     Accurately", PLDI 1990;
+//  3. the standard library, given a word of which the form is known already: from_chars where there
+//     is one, which knows no locale; else strtod, given no point, the only sign of a number that
+//     differs from locale to locale.
 #include "scene/number_reader.h"
 
-#include <algorithm>
-#include <cfloat>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
+#include <string>
 
-#include "scene/digits.h"
-#include "scene/powers_of_ten.h"
-#include "scene/quick_decimal.h"
+#include "scene/decimal.h"
 
 namespace {
 
-using digits::isDigit;
-
-/// The largest power of ten that a double holds exactly.
+/// The most decimal digits that 64 bits hold whatever they are.
+constexpr std::int64_t kMantissaDigits = 19;
+/// The largest power of ten that is a double.
 constexpr std::int64_t kMaxExactPower = 22;
-/// The doubles nearest to 10^-22 .. 10^22; exact from 1 on.
-constexpr double kNearPowersOfTen[] = {
-    1e-22, 1e-21, 1e-20, 1e-19, 1e-18, 1e-17, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11,
-    1e-10, 1e-9,  1e-8,  1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1,  1e0,   1e1,
-    1e2,   1e3,   1e4,   1e5,   1e6,   1e7,   1e8,   1e9,   1e10,  1e11,  1e12,  1e13,
-    1e14,  1e15,  1e16,  1e17,  1e18,  1e19,  1e20,  1e21,  1e22};
-/// Whole numbers up to here are doubles.
-constexpr std::uint64_t kExactDoubles = std::uint64_t(1) << 53;
-constexpr int kMantissaDigits = digits::kMost;
+constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// A number as it is written: (-1)^isNegative * mantissa * 10^exponent, where the mantissa holds
-/// the first 19 significant digits. `isCut` says that digits other than 0 follow those.
-struct Decimal {
+/// A number as it is written: (-1)^isNegative * mantissa * 10^exponent, where the mantissa is
+/// right for up to kMantissaDigits digits.
+struct Number {
+  std::string_view digits;    // with the point, without sign and exponent
+  std::int64_t exponent = 0;  // of the last digit
   std::uint64_t mantissa = 0;
-  std::int64_t exponent = 0;
+  std::int64_t digitCount = 0;
   bool isNegative = false;
-  bool isCut = false;
-  std::string_view digits;  // the digits and the point, without sign and exponent
+  const char* end = nullptr;  // null where this is no number
 };
 
-/// The number with its mantissa read again from more digits than it can hold: `exponent` grows by
-/// one for each significant digit that does not fit.
-Decimal withCutMantissa(Decimal number) {
-  number.mantissa = 0;
-  int significant = 0;
-  for (const char c : number.digits) {
-    if (c == '.') continue;
-    const unsigned digit = unsigned(c - '0');
-    if (significant < kMantissaDigits) {
-      number.mantissa = number.mantissa * 10 + digit;
-      significant += number.mantissa != 0;
-    } else {
-      ++number.exponent;
-      number.isCut |= digit != 0;
-    }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isSign(char c) { return c == '-' || c == '+'; }
+bool beginsExponent(char c) { return c == 'e' || c == 'E'; }
+const char* endOf(std::string_view word) { return word.data() + word.size(); }
+
+/// Appends the digits from `p` on to the mantissa, modulo 2^64, and returns where they end.
+const char* appendDigits(const char* p, const char* end, Number& number) {
+  const char* const start = p;
+  for (; p != end && isDigit(*p); ++p) {
+    number.mantissa = number.mantissa * 10 + std::uint64_t(*p - '0');
   }
-  return number;
+  number.digitCount += p - start;
+  return p;
 }
 
-bool beginsExponent(char c) { return c == 'e' || c == 'E'; }
-
-/// Reads `[+-] digits` after an e. Exponents beyond any sense stop growing at 10^15, which is
-/// still far more than a word has digits.
-bool readExponent(const char*& p, const char* end, std::int64_t& exponent) {
+/// Reads `[+-] digits` after an e; returns null where there are no digits. Exponents beyond any
+/// sense stop growing at 10^15, which is still far more than a word has digits.
+const char* readExponent(const char* p, const char* end, std::int64_t& exponent) {
   const bool isNegative = p != end && *p == '-';
-  if (p != end && (*p == '-' || *p == '+')) ++p;
-  if (p == end || !isDigit(*p)) return false;
+  if (p != end && isSign(*p)) ++p;
+  if (p == end || !isDigit(*p)) return nullptr;
   constexpr std::int64_t kEnough = 1'000'000'000'000'000;
   std::int64_t value = 0;
   for (; p != end && isDigit(*p); ++p) {
     if (value < kEnough) value = value * 10 + (*p - '0');
   }
   exponent += isNegative ? -value : value;
+  return p;
+}
+
+/// Takes the longest number that begins at `p` apart.
+Number takeApart(const char* p, const char* end) {
+  Number number;
+  number.isNegative = p != end && *p == '-';
+  if (p != end && isSign(*p)) ++p;
+  const char* const start = p;
+  p = appendDigits(p, end, number);
+  if (p != end && *p == '.') {
+    const std::int64_t before = number.digitCount;
+    p = appendDigits(p + 1, end, number);
+    number.exponent = before - number.digitCount;
+  }
+  if (number.digitCount == 0) return number;
+  number.digits = std::string_view(start, std::size_t(p - start));
+  number.end = p != end && beginsExponent(*p) ? readExponent(p + 1, end, number.exponent) : p;
+  return number;
+}
+
+/// Stores the magnitude where one operation on two exact doubles gives it.
+bool findExactly(const Number& number, double& magnitude) {
+  constexpr std::uint64_t kExactDoubles = std::uint64_t(1) << 53;
+  if (number.digitCount > kMantissaDigits || number.mantissa > kExactDoubles) return false;
+  if (std::abs(number.exponent) > kMaxExactPower) return false;
+  const double mantissa = double(number.mantissa);
+  const double power = kPowersOfTen[std::abs(number.exponent)];
+  magnitude = number.exponent < 0 ? mantissa / power : mantissa * power;
   return true;
 }
 
-/// Reads the longest number that begins at `p` and returns where it ends; null where none does,
-/// or one whose exponent has no digits. In line and with `number` in registers (nothing on the
-/// usual path takes its address): see PartReader for what it saves.
-[[gnu::always_inline]] inline const char* scanDecimal(const char* p, const char* end,
-                                                      Decimal& number) {
-  // No branch on the sign, which nobody can predict.
-  const char sign = p != end ? *p : '0';
-  number.isNegative = sign == '-';
-  p += int(sign == '-') | int(sign == '+');
-  const char* const start = p;
-  p = digits::append(p, end, number.mantissa);
-  std::int64_t count = p - start;
-  if (p != end && *p == '.') {
-    const char* const fraction = ++p;
-    p = digits::append(p, end, number.mantissa);
-    number.exponent = fraction - p;
-    count -= number.exponent;
-  }
-  if (count == 0) return nullptr;
-  number.digits = std::string_view(start, std::size_t(p - start));
-  if (count > kMantissaDigits) number = withCutMantissa(number);
-  if (p == end || !beginsExponent(*p)) return p;
-  ++p;
-  return readExponent(p, end, number.exponent) ? p : nullptr;
+/// The same for a float: rounded once more, which is harmless but in the middle between two floats.
+/// (All numbers are 0 or among the normal floats, from 1e-22 to 2^53 1e22 = 9e37.)
+bool findExactly(const Number& number, float& magnitude) {
+  double exact = 0;
+  if (!findExactly(number, exact) || decimal::isNearMiddle(exact, 0)) return false;
+  magnitude = float(exact);
+  return true;
 }
 
 void convert(const char* text, double& value) { value = std::strtod(text, nullptr); }
 void convert(const char* text, float& value) { value = std::strtof(text, nullptr); }
 
-/// Reads a non-zero number, a word that scanDecimal takes, by the C library, from a bounded copy
-/// without sign and point (so that no locale matters). No point halfway between two doubles has
-/// more than 767 digits, so what follows the 800th can only matter by being there.
+/// Stores the magnitude of any number; false where it is too large for the type.
 template <class T>
-[[gnu::noinline]] bool readExactly(std::string_view word, T& value) {
-  Decimal number;
-  scanDecimal(word.data(), word.data() + word.size(), number);
-  constexpr int kKept = 800;
-  char text[kKept + 32];
-  int count = 0;
-  bool isMore = false;
+bool findByLibrary(const Number& number, T& magnitude) {
+#ifdef __cpp_lib_to_chars
+  // Refuses what is too small as well as what is too large.
+  if (std::from_chars(number.digits.data(), number.end, magnitude).ec == std::errc()) return true;
+#endif
+  std::string text;
   for (const char c : number.digits) {
-    if (c == '.' || (count == 0 && c == '0')) continue;
-    if (count < kKept) {
-      text[count++] = c;
-    } else {
-      isMore |= c != '0';
-    }
+    if (c != '.') text += c;
   }
-  std::int64_t exponent = number.exponent - std::max(0, count - kMantissaDigits);
-  if (isMore) {
-    text[count++] = '1';
-    --exponent;
-  }
-  constexpr std::int64_t kBeyondDouble = 400;
-  if (count + exponent > kBeyondDouble) return false;
+  text += 'e' + std::to_string(number.exponent);
+  convert(text.c_str(), magnitude);
+  return !std::isinf(magnitude);
+}
+
+/// Any number: what decimal.h cannot read.
+template <class T>
+[[gnu::noinline]] const char* scanAny(const char* p, const char* end, T& value) {
+  const Number number = takeApart(p, end);
   T magnitude = 0;
-  if (count + exponent > -kBeyondDouble) {
-    std::snprintf(text + count, 32, "e%d", int(exponent));
-    convert(text, magnitude);
-    if (std::isinf(magnitude)) return false;
-  }
+  if (!number.end) return nullptr;
+  if (!findExactly(number, magnitude) && !findByLibrary(number, magnitude)) return nullptr;
   value = number.isNegative ? -magnitude : magnitude;
+  return number.end;
+}
+
+template <class T>
+const char* scanNumber(const char* p, const char* end, T& value) {
+  if (end - p >= decimal::kBytes) {
+    decimal::Decimal number;
+    const char* const stop = decimal::scan(p, number);
+    if (stop && !beginsExponent(*stop) && decimal::round(number, value)) return stop;
+  }
+  return scanAny(p, end, value);
+}
+
+template <class T>
+bool readWord(std::string_view word, T& value) {
+  T found;
+  if (word.empty() || scanNumber(word.data(), endOf(word), found) != endOf(word)) return false;
+  value = found;
   return true;
 }
-
-double scaleByPowerOfTen(double mantissa, std::int64_t exponent) {
-  const double power = kNearPowersOfTen[std::abs(exponent) + kMaxExactPower];
-  return exponent < 0 ? mantissa / power : mantissa * power;
-}
-
-bool hasExactPower(const Decimal& number) {
-  return number.exponent >= -kMaxExactPower && number.exponent <= kMaxExactPower;
-}
-
-/// True when `value`, known to within 4 units in its last place, rounds to the same float
-/// wherever in that range the truth lies: its 29 bits beyond a float's are not near the half.
-bool roundsSafelyToFloat(double value) {
-  if (!(value >= double(FLT_MIN) && value < 3.4e38)) return false;
-  std::uint64_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  const std::int64_t rest = std::int64_t(bits & 0x1fffffff);
-  return std::abs(rest - 0x10000000) > 4;
-}
-
-/// Stores the double nearest to the number's magnitude, which is not 0, and returns true, where 128
-/// bits can tell. What was cut off lies between nothing and one more in the last digit kept.
-bool findByProduct(std::uint64_t mantissa, std::int64_t exponent, bool isCut, double& magnitude) {
-  if (!powers_of_ten::nearest(mantissa, exponent, magnitude)) return false;
-  double above = magnitude;
-  if (isCut && !powers_of_ten::nearest(mantissa + 1, exponent, above)) return false;
-  return above == magnitude;
-}
-
-/// The same for any number. Two exact doubles give it in one rounded operation.
-[[gnu::always_inline]] inline bool findNearest(const Decimal& number, double& magnitude) {
-  const bool isShort = number.mantissa <= kExactDoubles && !number.isCut;
-  if (number.mantissa == 0 || (isShort && hasExactPower(number))) {
-    magnitude =
-        number.mantissa == 0 ? 0 : scaleByPowerOfTen(double(number.mantissa), number.exponent);
-    return true;
-  }
-  double found;
-  if (!findByProduct(number.mantissa, number.exponent, number.isCut, found)) return false;
-  magnitude = found;
-  return true;
-}
-
-/// The same, but to within 4 units in the last place, which is quicker: cutting, converting, the
-/// power and the product each err by less than one.
-[[gnu::always_inline]] inline bool findNear(const Decimal& number, double& magnitude) {
-  if (!hasExactPower(number)) return findNearest(number, magnitude);
-  magnitude = double(number.mantissa) * kNearPowersOfTen[number.exponent + kMaxExactPower];
-  return true;
-}
-
-/// The magnitude with the number's sign, without a branch.
-double signedAs(const Decimal& number, double magnitude) {
-  static constexpr double kSigns[] = {1, -1};
-  return magnitude * kSigns[number.isNegative];
-}
-
-/// Any number: what a QuickDecimal cannot hold.
-[[gnu::noinline]] const char* scanAnyDouble(const char* p, const char* end, double& value) {
-  Decimal number;
-  const char* const stop = scanDecimal(p, end, number);
-  if (!stop) return nullptr;
-  double magnitude;
-  if (findNearest(number, magnitude)) {
-    value = signedAs(number, magnitude);
-    return stop;
-  }
-  return readExactly({p, std::size_t(stop - p)}, value) ? stop : nullptr;
-}
-
-/// The same; what is not clear from near the number is rounded from its digits.
-[[gnu::noinline]] const char* scanAnyFloat(const char* p, const char* end, float& value) {
-  Decimal number;
-  const char* const stop = scanDecimal(p, end, number);
-  if (!stop) return nullptr;
-  double magnitude;
-  if (findNear(number, magnitude) && (number.mantissa == 0 || roundsSafelyToFloat(magnitude))) {
-    value = float(signedAs(number, magnitude));
-    return stop;
-  }
-  return readExactly({p, std::size_t(stop - p)}, value) ? stop : nullptr;
-}
-
-const char* endOf(std::string_view word) { return word.data() + word.size(); }
 
 }  // namespace
 
 bool isNumber(std::string_view word) {
-  Decimal number;
-  return scanDecimal(word.data(), endOf(word), number) == endOf(word) && !word.empty();
+  return !word.empty() && takeApart(word.data(), endOf(word)).end == endOf(word);
 }
 
 const char* scanDouble(const char* p, const char* end, double& value) {
-  if (end - p >= kQuickBytes) {
-    QuickDecimal quick;
-    const char* const stop = scanQuickly(p, quick);
-    if (stop && !beginsExponent(*stop) && toDouble(quick, value)) return stop;
-  }
-  return scanAnyDouble(p, end, value);
+  return scanNumber(p, end, value);
 }
-
 const char* scanFloat(const char* p, const char* end, float& value) {
-  if (end - p >= kQuickBytes) {
-    QuickDecimal quick;
-    const char* const stop = scanQuickly(p, quick);
-    if (stop && !beginsExponent(*stop) && toFloat(quick, value)) return stop;
-  }
-  return scanAnyFloat(p, end, value);
+  return scanNumber(p, end, value);
 }
 
-bool readDouble(std::string_view word, double& value) {
-  double found;
-  if (word.empty() || scanDouble(word.data(), endOf(word), found) != endOf(word)) return false;
-  value = found;
-  return true;
-}
-
-bool readFloat(std::string_view word, float& value) {
-  float found;
-  if (word.empty() || scanFloat(word.data(), endOf(word), found) != endOf(word)) return false;
-  value = found;
-  return true;
-}
+bool readDouble(std::string_view word, double& value) { return readWord(word, value); }
+bool readFloat(std::string_view word, float& value) { return readWord(word, value); }
 
 bool readInt(std::string_view word, int& value) {
-  const char* p = word.data();
-  const char* const end = p + word.size();
-  const bool isNegative = p != end && *p == '-';
-  if (p != end && (*p == '-' || *p == '+')) ++p;
-  if (p == end) return false;
-  const std::int64_t limit = std::int64_t(std::numeric_limits<int>::max()) + isNegative;
-  std::int64_t magnitude = 0;
-  for (; p != end; ++p) {
-    if (!isDigit(*p)) return false;
-    magnitude = magnitude * 10 + (*p - '0');
-    if (magnitude > limit) return false;
-  }
-  value = int(isNegative ? -magnitude : magnitude);
+  const bool hasPlus = !word.empty() && word[0] == '+';
+  if (hasPlus) word.remove_prefix(1);
+  if (hasPlus && !word.empty() && word[0] == '-') return false;
+  int found = 0;
+  const auto [stop, error] = std::from_chars(word.data(), endOf(word), found);
+  if (error != std::errc() || stop != endOf(word)) return false;
+  value = found;
   return true;
 }

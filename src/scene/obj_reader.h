@@ -1,9 +1,24 @@
 // Reading OBJ meshes: the statements v and f; all others are passed over.
+//
+// A file is cut into chunks of whole statements, and several threads take them by turns. The reader
+// of a chunk knows nothing of what stands before it: it takes for granted that there are enough
+// vertices for every index, and counts indices that count backwards from the chunk's own first
+// vertex. When all chunks are read, these guesses are checked, the backward indices are moved by
+// the number of vertices before their chunk, and the chunks are put in a row. Where a guess was
+// wrong, or anything else is, the text is read once more as one chunk, which can name every
+// mistake.
 #pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <mutex>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "geometry/mesh_geometry.h"
-#include "scene/mistake_log.h"
+#include "scene/input_error.h"
 #include "scene/source_text.h"
 
 /// How a file is read: what comes out does not depend on it.
@@ -20,3 +35,81 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
 /// Mistakes go to `log` with the OBJ file's name and line, at `place` in the scene file; where
 /// there are any (and the log does not throw) the mesh is empty.
 MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place);
+
+// The steps of both, for their sources and tests.
+
+/// Vertices and faces are numbered in 32 bits.
+inline constexpr std::size_t kMostObjElements = std::numeric_limits<std::uint32_t>::max();
+
+/// What a run of statements says.
+struct ObjChunk {
+  std::vector<Vec3f> vertices;
+  std::vector<MeshGeometry::Face> faces;  // faces of more corners are fans around their first
+  std::uint64_t highest = 0;    ///< the largest index that was counted from the file's start
+  std::uint64_t reachBack = 0;  ///< how many of the vertices before this chunk indices count back
+  /// Corners (3 * face + corner) that were counted backwards: their indices count from the chunk's
+  /// first vertex, modulo 2^32. Not kept where nothing stands before the chunk.
+  std::vector<std::size_t> relativeCorners;
+
+  /// Empties the chunk, but keeps its memory.
+  void clear() {
+    vertices.clear();
+    faces.clear();
+    highest = reachBack = 0;
+    relativeCorners.clear();
+  }
+};
+
+/// What the reader of a chunk takes for granted: indices up to `vertices` are right, and so is
+/// counting back over `before` vertices that stand before the chunk.
+struct ObjSurroundings {
+  std::size_t vertices = kMostObjElements;
+  std::size_t before = kMostObjElements;
+};
+
+/// Takes what is wrong, and the place in the statements where it stands. May throw.
+using ObjReport = std::function<void(const char* at, const std::string& message)>;
+
+/// Reads whole statements, appending to an empty `chunk`. After a mistake that `report` lets pass,
+/// reading goes on with the next statement; the chunk then keeps its number of vertices only.
+void readObjChunk(std::string_view statements, const ObjSurroundings& around,
+                  const ObjReport& report, ObjChunk& chunk);
+
+/// How many vertices the statements define.
+std::size_t countObjVertices(std::string_view statements);
+
+/// True when the line that ends at `newline` goes on behind it: it ends in a backslash. It begins
+/// at or before `start`, and nothing before that is looked at.
+bool isContinuedLine(const char* start, const char* newline);
+
+/// StatementChunks: hands an OBJ file out to threads, in chunks of whole statements.
+/// The file is neither mapped (one that shrinks meanwhile would end the program) nor kept: each
+/// thread reads into a buffer that stays in its cache, so no fresh memory is filled either.
+/// Measured on 38 MB, two cores: 4 ms; into fresh memory 13 to 30 ms, mapped 2 to 7 ms.
+class StatementChunks {
+ public:
+  /// Reads from the open file `descriptor`, not owned, about `chunkBytes` >= 1 at a time.
+  StatementChunks(int descriptor, std::size_t chunkBytes)
+      : descriptor_(descriptor), chunkBytes_(chunkBytes) {}
+
+  /// The next chunk, a view of `buffer`; empty at the end or where reading failed. `take` is called
+  /// with its number (0, 1, ...) before another thread gets the next one. A byte-order mark at the
+  /// file's start is left out. Any number of threads may call this, each with a buffer of its own.
+  std::string_view next(std::vector<char>& buffer, const std::function<void(std::size_t)>& take);
+
+  /// Ends the handing out: all that ask get nothing any more.
+  void stop();
+  /// True when the file could not be read to its end.
+  bool hasFailed() const { return hasFailed_; }
+
+ private:
+  std::size_t fill(std::vector<char>& buffer);
+  std::size_t readInto(std::vector<char>& buffer, std::size_t size);
+
+  const int descriptor_;
+  const std::size_t chunkBytes_;
+  std::mutex mutex_;        // guards all below
+  std::vector<char> rest_;  // what was read behind the last statement handed out
+  std::size_t count_ = 0;
+  bool isAtEnd_ = false, hasFailed_ = false;
+};

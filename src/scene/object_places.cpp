@@ -5,7 +5,7 @@
 #include <functional>
 #include <iterator>
 
-#include "scene/scene_words.h"
+#include "scene/scene_grammar.h"
 
 void ObjectPlaces::begin(std::string_view kind, const char* place) {
   line_ += std::size_t(std::count(counted_, place, '\n'));

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "geometry/triangle_mesh.h"
-#include "scene/mistake_log.h"
-#include "scene/scene_builder.h"
+#include "scene/input_error.h"
+#include "scene/scene_reader.h"
 #include "scene/source_text.h"
 
 SceneParser::SceneParser(const char* filename, ObjectPlaces* places)
@@ -13,12 +13,8 @@ SceneParser::SceneParser(const char* filename, ObjectPlaces* places)
 
 SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places) {
   MistakeLog log(MistakeLog::Mode::throwFirst);
-  SceneBuilder builder(text, log, *this);
-  if (places) {
-    *places = ObjectPlaces(text.name(), text.bytes().data());
-    builder.note(*places);
-  }
-  builder.build();
+  if (places) *places = ObjectPlaces(text.name(), text.bytes().data());
+  SceneReader(text, log, *this, places).read();
   if (places) places->finish();
 }
 
@@ -30,7 +26,7 @@ std::vector<InputError> SceneParser::check(const char* filename,
   try {
     const SourceText text = SourceText::read(filename);
     SceneParser scene;
-    SceneBuilder(text, log, scene).build();
+    SceneReader(text, log, scene, nullptr).read();
     if (warnings && log.count() == 0) *warnings = scene.getWarnings();
   } catch (const InputError& unreadable) {
     return {unreadable};

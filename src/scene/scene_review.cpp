@@ -1,6 +1,15 @@
-// SceneReview: one walk over all objects.
-#include "scene/scene_review.h"
-
+// Warnings of what is legal in a scene and probably a mistake: materials that nothing has, colours
+// and exponents out of the usual, objects that the camera cannot see, lights that objects enclose.
+//
+// The last two take one walk over all objects, with little to do at each (Walk). It carries the
+// half-space in front of the camera and the points that matter (the eye and the point lights) into
+// the space of each Transform. A sphere, triangle or mesh wholly outside of that half-space is
+// behind the camera, which only a mirror could show. A point light inside an opaque closed object
+// lights nothing outside, unless the camera is in there too; of a mesh, the sum of the solid angles
+// of its faces tells what is inside.
+//
+// Of one kind of warning only some are named and the rest counted.
+#include <algorithm>
 #include <cmath>
 #include <typeinfo>
 
@@ -9,9 +18,13 @@
 #include "geometry/sphere.h"
 #include "geometry/transform.h"
 #include "geometry/triangle.h"
+#include "geometry/triangle_mesh.h"
+#include "scene/scene_reader.h"
 
 namespace {
 
+/// So many of one kind are named; the rest are counted.
+constexpr std::size_t kMostNamed = 5;
 /// What looking for lights inside objects may take: some hundredths of a second.
 constexpr std::size_t kMostSteps = 4'000'000;
 constexpr std::size_t kStepsPerFace = 8;
@@ -43,9 +56,57 @@ double windingNumber(const MeshGeometry& mesh, const Vec3d& p) {
   return sum / kWhole;
 }
 
-}  // namespace
+struct NamedObject {
+  const Object3D* object = nullptr;  // not owned
+  const char* kind = nullptr;
+};
 
-SceneReview::SceneReview(const SceneParser& scene) {
+class Walk {
+ public:
+  /// Looks over a scene that is read without a mistake.
+  explicit Walk(const SceneParser& scene);
+
+  struct EnclosedLight {
+    int light;  // its number in the scene
+    NamedObject around;
+  };
+
+  /// Spheres, triangles and meshes wholly behind a perspective camera, in scene order. None where
+  /// any object is a mirror, which may show them.
+  const std::vector<NamedObject>& behindCamera() const { return behind_; }
+
+  /// Point lights inside an opaque closed object (a sphere, a closed mesh) in which the camera is
+  /// not, in the order of the lights, with the first such object. Lights are not looked for where
+  /// there are too many pairs of light and object, or of light and mesh triangle.
+  std::vector<EnclosedLight> enclosedLights() const;
+
+ private:
+  /// Where normal . p + offset > 0, the camera may see.
+  struct View {
+    Vec3d normal;
+    double offset = 0, length = 0;  // of the normal
+  };
+  using Points = std::vector<Vec3d>;  // of the eye, then the point lights, in the object's space
+
+  void visit(const Object3D& object, const View& view, const Points& points);
+  void visitMoved(const Transform& transform, const View& view, const Points& points);
+  void visitSphere(const Sphere& sphere, const View& view, const Points& points);
+  void visitTriangle(const Triangle& triangle, const View& view);
+  void visitMesh(const TriangleMesh& mesh, const View& view, const Points& points);
+  void noteMaterial(const Material& material);
+  bool mayEnclose(const Material& material);
+  template <class IsInside>
+  void findEnclosed(const NamedObject& object, const Points& points, const IsInside& isInside);
+
+  bool isPerspective_ = false, hasMirror_ = false;
+  const Material* lastMaterial_ = nullptr;
+  std::size_t steps_ = 0;
+  std::vector<int> pointLights_;       // their numbers in the scene
+  std::vector<NamedObject> enclosed_;  // for each point light; null where nothing encloses it
+  std::vector<NamedObject> behind_;
+};
+
+Walk::Walk(const SceneParser& scene) {
   const Camera& camera = *scene.getCamera();
   isPerspective_ = typeid(camera) == typeid(PerspectiveCamera);
   Points points = {camera.getCenter()};
@@ -61,15 +122,15 @@ SceneReview::SceneReview(const SceneParser& scene) {
   if (hasMirror_) behind_.clear();
 }
 
-std::vector<SceneReview::EnclosedLight> SceneReview::getEnclosedLights() const {
+std::vector<Walk::EnclosedLight> Walk::enclosedLights() const {
   std::vector<EnclosedLight> lights;
   for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-    if (enclosed_[i]) lights.push_back({pointLights_[i], enclosed_[i]});
+    if (enclosed_[i].object) lights.push_back({pointLights_[i], enclosed_[i]});
   }
   return lights;
 }
 
-void SceneReview::visit(const Object3D& object, const View& view, const Points& points) {
+void Walk::visit(const Object3D& object, const View& view, const Points& points) {
   const std::type_info& kind = typeid(object);
   if (kind == typeid(Sphere)) {
     visitSphere(static_cast<const Sphere&>(object), view, points);
@@ -90,7 +151,7 @@ void SceneReview::visit(const Object3D& object, const View& view, const Points& 
 
 /// Takes the view and the points into the object's space: n . (A q + t) + offset is
 /// (A^T n) . q + n . t + offset.
-void SceneReview::visitMoved(const Transform& transform, const View& view, const Points& points) {
+void Walk::visitMoved(const Transform& transform, const View& view, const Points& points) {
   const Matrix &matrix = transform.getMatrix(), &inverse = transform.getInverse();
   const Vec3d origin = matrix.transformPoint(Vec3d());
   const Vec3d normal = matrix.transposeTransformDirection(view.normal);
@@ -103,30 +164,30 @@ void SceneReview::visitMoved(const Transform& transform, const View& view, const
   visit(*transform.getObject(), inside, moved);
 }
 
-void SceneReview::visitSphere(const Sphere& sphere, const View& view, const Points& points) {
+void Walk::visitSphere(const Sphere& sphere, const View& view, const Points& points) {
   noteMaterial(*sphere.getMaterial());
   const Vec3d& center = sphere.getCenter();
   const double radius = sphere.getRadius();
   if (isPerspective_ && dot(view.normal, center) + view.offset + radius * view.length <= 0) {
-    behind_.push_back(&sphere);
+    behind_.push_back({&sphere, "Sphere"});
   }
   if (!mayEnclose(*sphere.getMaterial())) return;
-  findEnclosed(sphere, points, [&](const Vec3d& p) {
+  findEnclosed({&sphere, "Sphere"}, points, [&](const Vec3d& p) {
     const Vec3d apart = p - center;
     return dot(apart, apart) < radius * radius;
   });
 }
 
-void SceneReview::visitTriangle(const Triangle& triangle, const View& view) {
+void Walk::visitTriangle(const Triangle& triangle, const View& view) {
   noteMaterial(*triangle.getMaterial());
   if (!isPerspective_) return;
   for (int i = 0; i < 3; ++i) {
     if (!(dot(view.normal, triangle.getVertex(i)) + view.offset <= 0)) return;
   }
-  behind_.push_back(&triangle);
+  behind_.push_back({&triangle, "Triangle"});
 }
 
-void SceneReview::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
+void Walk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
   noteMaterial(*mesh.getMaterial());
   BoundingBox box;
   mesh.getGeometry().addBounds(Matrix(), box);
@@ -136,9 +197,9 @@ void SceneReview::visitMesh(const TriangleMesh& mesh, const View& view, const Po
     const double n = view.normal[axis];
     farthest += n * (n > 0 ? box.high() : box.low())[axis];
   }
-  if (isPerspective_ && farthest <= 0) behind_.push_back(&mesh);
+  if (isPerspective_ && farthest <= 0) behind_.push_back({&mesh, "TriangleMesh"});
   if (!mayEnclose(*mesh.getMaterial())) return;
-  findEnclosed(mesh, points, [&](const Vec3d& p) {
+  findEnclosed({&mesh, "TriangleMesh"}, points, [&](const Vec3d& p) {
     constexpr double kAlmostAll = 0.999;  // rounding is far less, and so is no hole of any size
     if (!isIn(box, p)) return false;
     steps_ += kStepsPerFace * mesh.getGeometry().faceCount();
@@ -146,13 +207,14 @@ void SceneReview::visitMesh(const TriangleMesh& mesh, const View& view, const Po
   });
 }
 
-void SceneReview::noteMaterial(const Material& material) {
+void Walk::noteMaterial(const Material& material) {
   if (&material == lastMaterial_) return;
   lastMaterial_ = &material;
   hasMirror_ |= anyPositive(material.getReflectiveColor());
 }
 
-bool SceneReview::mayEnclose(const Material& material) {
+/// True where the object is opaque and there are lights to look for in it.
+bool Walk::mayEnclose(const Material& material) {
   if (pointLights_.empty() || steps_ > kMostSteps) return false;
   steps_ += pointLights_.size();
   return !anyPositive(material.getTransparentColor());
@@ -160,11 +222,87 @@ bool SceneReview::mayEnclose(const Material& material) {
 
 /// An eye in the same object sees what the lights in there shine on.
 template <class IsInside>
-void SceneReview::findEnclosed(const Object3D& object, const Points& points,
-                               const IsInside& isInside) {
+void Walk::findEnclosed(const NamedObject& object, const Points& points, const IsInside& isInside) {
   for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-    if (enclosed_[i] || !isInside(points[i + 1])) continue;
+    if (enclosed_[i].object || !isInside(points[i + 1])) continue;
     if (isPerspective_ && isInside(points[0])) return;
-    enclosed_[i] = &object;
+    enclosed_[i] = object;
   }
+}
+
+}  // namespace
+
+void SceneNotes::warn(const char* at, const std::string& message) {
+  warnings_.emplace_back(at,
+                         text_.name() + ":" + std::to_string(text_.lineAt(at)) + ": " + message);
+}
+
+std::vector<std::string> SceneNotes::inOrder() const {
+  auto sorted = warnings_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Note& a, const Note& b) { return a.first < b.first; });
+  std::vector<std::string> texts;
+  for (Note& warning : sorted) texts.push_back(std::move(warning.second));
+  return texts;
+}
+
+template <class Item, class Warn>
+void SceneNotes::warnOfSome(const std::vector<Item>& items, const std::string& what,
+                            const Warn& warnOf) {
+  for (std::size_t i = 0; i < items.size() && i <= kMostNamed; ++i) {
+    const Note warning = warnOf(items[i]);
+    const bool isNamed = i < kMostNamed;
+    warn(warning.first,
+         isNamed ? warning.second : "and " + std::to_string(items.size() - i) + " more " + what);
+  }
+}
+
+void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brightColors) {
+  // More light comes back from such a colour than arrives, or it cannot be shown. Those of lights
+  // often are above 1, and are not asked about.
+  warnOfSome(brightColors, "colours above 1", [](const Note& color) {
+    return Note(color.first, color.second + " is above 1 in a component");
+  });
+  warnOfSome(lowExponents, "exponents below 1", [](const Note& exponent) {
+    return Note(exponent.first,
+                "exponent " + exponent.second + " is below 1: its highlight fills the lit side");
+  });
+  warnOfUnusedMaterials();
+  const Walk walk(scene);
+  warnOfSome(walk.behindCamera(), "objects behind the camera", [this](const NamedObject& each) {
+    return Note(startOf(each.object),
+                std::string("the ") + each.kind +
+                    " is wholly behind the camera, and there is no mirror to show it");
+  });
+  warnOfSome(walk.enclosedLights(), "lights inside objects", [this](const auto& each) {
+    const std::size_t line = text_.lineAt(startOf(each.around.object));
+    return Note(lightStarts[std::size_t(each.light)],
+                std::string("the light is inside the ") + each.around.kind + " of line " +
+                    std::to_string(line) + ": with shadows it lights nothing outside");
+  });
+}
+
+/// Textures stand behind their components, so that one pass from the end finds all that is used.
+/// Where nothing is used, the objects are what is missing.
+void SceneNotes::warnOfUnusedMaterials() {
+  for (auto note = materials.rbegin(); note != materials.rend(); ++note) {
+    if (!note->isUsed) continue;
+    for (const std::size_t component : note->components) materials[component].isUsed = true;
+  }
+  std::vector<std::size_t> unused;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (!materials[i].isUsed) unused.push_back(i);
+  }
+  if (unused.size() == materials.size()) return;
+  warnOfSome(unused, "materials that no object has", [this](std::size_t i) {
+    const bool isListed = i < listedMaterials;
+    return Note(materials[i].at, (isListed ? "material " + std::to_string(i) : "the material") +
+                                     " is not used by any object");
+  });
+}
+
+const char* SceneNotes::startOf(const Object3D* object) const {
+  const auto found = std::find_if(objectStarts.begin(), objectStarts.end(),
+                                  [&](const auto& each) { return each.first == object; });
+  return found == objectStarts.end() ? text_.bytes().data() : found->second;
 }

@@ -1,21 +1,128 @@
-// Which line a place in the input stands on, and the input as a whole.
+// Reading a whole file, whatever kind of file it is; counting its lines; and cutting it into words,
+// by a table of what each byte is.
 #include "scene/source_text.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <stdexcept>
 
 #include "scene/input_error.h"
-#include "scene/whole_file.h"
+#include "system/memory.h"
+#include "system/files.h"
+
+namespace {
+
+constexpr std::size_t kChunk = std::size_t(1) << 20;
+constexpr std::size_t kLeastRoom = 4096;
+constexpr std::size_t kPipe = std::size_t(1) << 16;  // what a pipe holds, and gives at a time
+/// Devices such as /dev/zero never end: more than this from one is a mistake.
+constexpr std::size_t kMaxDeviceBytes = std::size_t(64) << 20;
+
+/// What the system says of the last call that failed.
+std::string systemReason() { return std::strerror(errno); }
+
+/// Reads to the end. Memory is touched a chunk at a time, as the bytes come. Returns why it could
+/// not, or nothing.
+std::string readToEnd(int descriptor, std::string& bytes) {
+  struct stat status;
+  if (fstat(descriptor, &status) != 0) return systemReason();
+  if (S_ISDIR(status.st_mode)) return "it is a folder, expected a file";
+  if (S_ISREG(status.st_mode)) bytes.reserve(std::size_t(status.st_size) + 1);
+  preferLargePages(bytes.data(), bytes.capacity());
+  const std::size_t limit =
+      S_ISCHR(status.st_mode) ? kMaxDeviceBytes : std::numeric_limits<std::size_t>::max();
+  const std::size_t most = S_ISREG(status.st_mode) ? kChunk : kPipe;
+  for (;;) {
+    const std::size_t size = bytes.size();
+    if (size > limit) return "the device gives more than 64 MB, expected a file";
+    const std::size_t room = bytes.capacity() - size;
+    // The end is found with what room there is: more would copy all that has been read.
+    bytes.resize(size + (room > 0 ? std::min(room, most) : kLeastRoom));
+    const ssize_t count = readSome(descriptor, &bytes[size], bytes.size() - size);
+    bytes.resize(size + std::size_t(std::max(count, ssize_t(0))));
+    if (count < 0) return systemReason();
+    if (count == 0) return {};
+  }
+}
+
+bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
+  try {
+    bytes.clear();
+    reason = readToEnd(descriptor, bytes);
+  } catch (const std::length_error&) {  // more than any memory holds
+    throw std::bad_alloc();
+  }
+  return reason.empty();
+}
+
+enum class Kind : unsigned char { letter, space, brace };
+
+constexpr std::array<Kind, 256> makeKinds() {
+  std::array<Kind, 256> kinds{};
+  for (const unsigned char c : {' ', '\t', '\n', '\v', '\f', '\r'}) kinds[c] = Kind::space;
+  kinds[std::size_t('{')] = kinds[std::size_t('}')] = Kind::brace;
+  return kinds;
+}
+constexpr std::array<Kind, 256> kKinds = makeKinds();
+
+Kind kindOf(char c) { return kKinds[static_cast<unsigned char>(c)]; }
+
+}  // namespace
+
+bool readWholeFile(const std::string& filename, std::string& bytes, std::string& reason) {
+  const OpenFile file(filename);
+  if (file.isOpen()) return readOrExplain(file.descriptor(), bytes, reason);
+  reason = systemReason();
+  return false;
+}
 
 SourceText SourceText::read(const std::string& filename) {
   std::string bytes, reason;
   const bool isStandardInput = filename == "-";
   const std::string name = isStandardInput ? "<stdin>" : filename;
-  const bool isRead =
-      isStandardInput ? readStandardInput(bytes, reason) : readWholeFile(filename, bytes, reason);
+  const bool isRead = isStandardInput ? readOrExplain(STDIN_FILENO, bytes, reason)
+                                      : readWholeFile(filename, bytes, reason);
   if (!isRead) throw InputError(name, 0, "cannot be read: " + reason);
   return SourceText(name, std::move(bytes));
 }
 
 std::size_t SourceText::lineAt(const char* place) const {
   return 1 + std::size_t(std::count(bytes_.data(), place, '\n'));
+}
+
+Tokenizer::Tokenizer(std::string_view bytes)
+    : place_(withoutByteOrderMark(bytes).data()), end_(bytes.data() + bytes.size()) {}
+
+std::string_view Tokenizer::next() {
+  skipToWord();
+  const char* const start = place_;
+  if (place_ != end_ && kindOf(*place_) == Kind::brace) {
+    ++place_;
+  } else {
+    while (place_ != end_ && kindOf(*place_) == Kind::letter) ++place_;
+  }
+  return {start, std::size_t(place_ - start)};
+}
+
+void Tokenizer::skipToWord() {
+  for (;;) {
+    while (place_ != end_ && kindOf(*place_) == Kind::space) ++place_;
+    if (place_ == end_) return;
+    const bool isComment =
+        *place_ == '#' || (*place_ == '/' && place_ + 1 != end_ && place_[1] == '/');
+    if (!isComment) return;
+    const void* newline = std::memchr(place_, '\n', std::size_t(end_ - place_));
+    place_ = newline ? static_cast<const char*>(newline) : end_;
+  }
+}
+
+std::string_view withoutByteOrderMark(std::string_view bytes) {
+  return bytes.substr(bytes.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
 }

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "cli/option_table.h"
-#include "scene/scene_words.h"
+#include "scene/scene_grammar.h"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include "random.h"
 #include "scene/obj_reader.h"
 #include "scene/scene_files.h"
-#include "scene/statement_chunks.h"
 #include "system/files.h"
 
 namespace {

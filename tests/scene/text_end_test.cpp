@@ -8,8 +8,8 @@
 #include "check.h"
 #include "random.h"
 #include "scene/number_reader.h"
-#include "scene/obj_part.h"
-#include "scene/tokenizer.h"
+#include "scene/obj_reader.h"
+#include "scene/source_text.h"
 
 namespace {
 
@@ -68,8 +68,8 @@ TEST("texts of all lengths are read without a look behind their end") {
     for (int pieces = random.index(8); pieces > 0; --pieces) text += kPieces[random.index(12)];
     text.resize(std::size_t(random.index(int(text.size()) + 1)));
     const std::string_view bytes = page.atEnd(text);
-    ObjPart part;
-    readObjPart(bytes, {}, ignore, part);
+    ObjChunk part;
+    readObjChunk(bytes, {}, ignore, part);
     Tokenizer tokenizer(bytes);
     while (!tokenizer.next().empty()) ++found;
     const char* const end = bytes.data() + bytes.size();

@@ -1,0 +1,164 @@
+// The sections of a scene file, and the small ones themselves: camera, lights, background.
+#include "scene/scene_reader.h"
+
+#include "camera/camera.h"
+#include "math/functions.h"
+
+namespace {
+
+/// True when the two are parallel as far as decimal numbers can tell: the sine of the angle
+/// between them is below 1e-14, some 50 times the rounding error of the test. Both have been
+/// brought to lengths near 1 (Range::direction).
+bool areParallel(const Vec3d& a, const Vec3d& b) {
+  return length(cross(a, b)) <= 1e-14 * length(a) * length(b);
+}
+
+}  // namespace
+
+SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& scene,
+                         ObjectPlaces* places)
+    : in_(text, log),
+      notes_(text),
+      scene_(scene),
+      meshes_(text, log, scene.meshes_),
+      materials_(in_, notes_, scene.materials_),
+      objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}
+
+void SceneReader::read() {
+  while (!in_.atEnd()) readSection();
+  finish();
+}
+
+void SceneReader::readSection() {
+  const std::string_view word = in_.word();
+  if (!WordList(kSectionWords).contains(word)) return readMisplaced();
+  in_.setQuiet(false);
+  if (word == "Lights") {
+    readLights();
+  } else if (word == "Background") {
+    readBackground();
+  } else if (word == "Materials") {
+    reportSecond("Materials", hasMaterials_);
+    if (hasGroup_) {
+      in_.report(in_.at(), "expected Materials before the first Group, found it after one");
+    }
+    in_.advance();
+    materials_.readSection();
+  } else if (word == "Group") {
+    hasGroup_ = true;
+    if (const Object3D* group = objects_.read()) scene_.group_.addObject(group);
+  } else {
+    readCamera();
+  }
+}
+
+/// Something that is no section. What follows it up to the next section is its consequence.
+void SceneReader::readMisplaced() {
+  const std::string_view word = in_.word();
+  if (word == "}") {
+    in_.report(in_.at(), "expected a section, found '}' without a block to end");
+    in_.advance();
+  } else if (WordList(kGroupWords).contains(word)) {
+    in_.report(in_.at(), "expected " + quoted(word) + " inside a Group, found it outside");
+    in_.skipWordAndBlock();
+  } else {
+    in_.skipUnknown("the scene", kSectionWords);
+  }
+  in_.setQuiet(true);
+  hasMisplaced_ = true;
+}
+
+/// Camera, Lights, Background and Materials may stand once. The second one is read all the same.
+void SceneReader::reportSecond(std::string_view what, bool& isSeen) {
+  if (isSeen) {
+    in_.report(in_.at(), "a second " + std::string(what) + ": expected only one, found " +
+                             quoted(in_.word()));
+  }
+  isSeen = true;
+}
+
+void SceneReader::readCamera() {
+  reportSecond("camera", hasCamera_);
+  const std::string_view owner = in_.word();
+  in_.advance();
+  FrameFields frame;
+  OrthographicFields orthographic;
+  PerspectiveFields perspective;
+  const bool isPerspective = owner == "PerspectiveCamera";
+  const FieldList extent = isPerspective ? FieldList(perspective) : FieldList(orthographic);
+  const bool areFieldsGood = in_.readFields(owner, {frame, extent});
+  const Given<Vec3d>&direction = frame.direction, &up = frame.up;
+  const bool areBothGiven = in_.checkRanges(frame) && direction.at && up.at;
+  const bool isParallel = areBothGiven && areParallel(direction.value, up.value);
+  if (isParallel) {
+    in_.report(up.at, "expected an up that is not parallel to direction, found them parallel");
+  }
+  if (!in_.checkRanges(extent) || !areFieldsGood || !areBothGiven || isParallel) return;
+  const Vec3d& center = frame.center.value;
+  if (isPerspective) {
+    scene_.camera_ = std::make_unique<PerspectiveCamera>(center, direction.value, up.value,
+                                                         math::radians(perspective.angle.value));
+  } else {
+    scene_.camera_ = std::make_unique<OrthographicCamera>(center, direction.value, up.value,
+                                                          orthographic.size.value);
+  }
+}
+
+void SceneReader::readLights() {
+  reportSecond("Lights", hasLights_);
+  lightsAt_ = in_.at();
+  in_.advance();
+  in_.readCounted(
+      {"Lights", "numLights", kLightWords, kLightWords}, [this] { readLight(); },
+      [] { return false; });
+}
+
+void SceneReader::readLight() {
+  const std::string_view owner = in_.word();
+  const char* const at = in_.at();
+  in_.advance();
+  std::unique_ptr<Light> light;
+  if (owner == "DirectionalLight") {
+    DirectionalLightFields fields;
+    const bool isGood = in_.readFields(owner, {fields});
+    if (!in_.checkRanges(fields) || !isGood) return;
+    light = std::make_unique<DirectionalLight>(fields.direction.value, fields.color.value);
+  } else {
+    PointLightFields fields;
+    if (!in_.readFields(owner, {fields})) return;
+    light = std::make_unique<PointLight>(fields.position.value, fields.color.value,
+                                         fields.attenuation.value);
+  }
+  notes_.lightStarts.push_back(at);
+  scene_.lights_.push_back(std::move(light));
+}
+
+void SceneReader::readBackground() {
+  reportSecond("Background", hasBackground_);
+  in_.advance();
+  BackgroundFields fields;
+  in_.readFields("Background", {fields});
+  in_.checkRanges(fields);
+  scene_.backgroundColor_ = fields.color.value;
+  scene_.ambientLight_ = fields.ambientLight.value;
+}
+
+/// What can only be said once everything is read.
+void SceneReader::finish() {
+  if (!hasCamera_ && !hasMisplaced_) {
+    in_.reportExpected("an OrthographicCamera or a PerspectiveCamera in the scene");
+  }
+  if (scene_.lights_.empty()) {
+    scene_.ambientLight_ = Vec3f(1, 1, 1);
+    notes_.warn(lightsAt_ ? lightsAt_ : in_.text().bytes().data(),
+                "the scene has no lights: it is shown in white ambient light");
+  }
+  if (!hasGroup_) notes_.warn(in_.at(), "the scene has no Group: nothing will be seen");
+  scene_.meshFiles_ = meshes_.files();
+  if (notes_.flatTriangles > ObjectReader::kFlatTrianglesNamed) {
+    notes_.warn(in_.at(), std::to_string(notes_.flatTriangles - ObjectReader::kFlatTrianglesNamed) +
+                              " more triangles have no area: they will not be seen");
+  }
+  if (in_.mistakeCount() == 0) notes_.review(scene_, in_.brightColors());
+  scene_.warnings_ = notes_.inOrder();
+}

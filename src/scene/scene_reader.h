@@ -1,0 +1,188 @@
+// The readers of a scene file, one for each kind of section, by recursive descent: what a function
+// reads is the block whose name is the current word. They share a FieldReader, which holds the
+// place in the text, and fill vectors that the SceneParser owns.
+//
+// While they read they note what the scene itself does not keep, for warnings at the end: where
+// things stand and which materials are used (SceneNotes; see scene_review.cpp).
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scene/field_reader.h"
+#include "scene/mesh_library.h"
+#include "scene/object_places.h"
+#include "scene/scene_parser.h"
+#include "shading/solid_texture.h"
+
+/// A material as it stands in the file.
+struct MaterialNote {
+  const char* at;
+  bool isUsed = false;
+  std::vector<std::size_t> components;  // of a texture: places in the list
+};
+
+/// Warnings, and what is noted for them while a scene is read.
+class SceneNotes {
+ public:
+  using Note = FieldReader::Note;
+
+  /// The text must outlive the notes.
+  explicit SceneNotes(const SourceText& text) : text_(text) {}
+
+  std::vector<MaterialNote> materials;   // for each material of the scene
+  std::size_t listedMaterials = 0;       // so many of these stand in Materials
+  std::vector<const char*> lightStarts;  // for each light of the scene
+  std::vector<std::pair<const Object3D*, const char*>> objectStarts;  // spheres, triangles, meshes
+  std::vector<Note> lowExponents;
+  std::size_t flatTriangles = 0;
+
+  void warn(const char* at, const std::string& message);
+  /// Gives the first items to `warnOf`, which returns their Note, and counts the rest at the place
+  /// of the first of them.
+  template <class Item, class Warn>
+  void warnOfSome(const std::vector<Item>& items, const std::string& what, const Warn& warnOf);
+  /// Warns of what is legal in a scene without mistakes and probably a mistake.
+  void review(const SceneParser& scene, const std::vector<Note>& brightColors);
+  /// All warnings, "FILE:LINE: text" each, in file order.
+  std::vector<std::string> inOrder() const;
+
+ private:
+  void warnOfUnusedMaterials();
+  const char* startOf(const Object3D* object) const;
+
+  const SourceText& text_;
+  std::vector<std::pair<const char*, std::string>> warnings_;  // with their places
+};
+
+/// Reads materials, and keeps which one holds for the objects that follow.
+class MaterialReader {
+ public:
+  /// All must outlive the reader.
+  MaterialReader(FieldReader& in, SceneNotes& notes,
+                 std::vector<std::unique_ptr<Material>>& materials)
+      : in_(in), notes_(notes), materials_(materials) {}
+
+  /// The section Materials, from behind its name.
+  void readSection();
+  /// A material written inside a Group, as in the course's older scenes.
+  void readInline();
+  void readIndex();
+  /// The material that holds for the object at `at`, not owned; null where there is none, which is
+  /// said once.
+  const Material* materialFor(std::string_view owner, const char* at);
+
+ private:
+  /// What a solid texture's block says.
+  struct TextureWords {
+    Matrix toTexture;
+    std::vector<SolidTexture::Component> parts;
+    int octaves = 1;
+    bool hasTransform = false, areIndicesGood = true;
+  };
+
+  void add();
+  std::unique_ptr<Material> read();
+  // Each reads `own` fields of its kind and the common ones, which are those of every kind.
+  std::unique_ptr<Material> readPhong(std::string_view owner, MaterialFields& common);
+  std::unique_ptr<Material> readCookTorrance(std::string_view owner, MaterialFields& common);
+  std::unique_ptr<Material> readWard(std::string_view owner, MaterialFields& common);
+  std::unique_ptr<Material> readOrenNayar(std::string_view owner, MaterialFields& common);
+  void readBlock(std::string_view owner, const FieldList& own, const FieldList& common);
+  std::unique_ptr<Material> readTexture(std::string_view owner);
+  bool readTextureTransform(std::string_view owner, TextureWords& words);
+  bool readTextureIndex(std::string_view owner, TextureWords& words);
+  bool readOctaves(int& octaves);
+
+  FieldReader& in_;
+  SceneNotes& notes_;
+  std::vector<std::unique_ptr<Material>>& materials_;
+  const Material* current_ = nullptr;  // not owned
+  std::size_t currentPlace_ = 0;       // its place in the list
+  bool isMissed_ = false;
+  bool areIndicesSure_ = true;  // false after a mistake among materials: an index may be right
+};
+
+/// Reads objects: primitives, meshes, Groups and Transforms. Each function returns null where there
+/// was a mistake; the scene owns what they return.
+class ObjectReader {
+ public:
+  /// How deep Groups and Transforms may stand inside each other.
+  static constexpr int kMaxNesting = 1000;
+  /// After so many warnings of triangles without area the rest are only counted.
+  static constexpr std::size_t kFlatTrianglesNamed = 10;
+
+  /// All must outlive the reader; `places` may be null.
+  ObjectReader(FieldReader& in, SceneNotes& notes, MaterialReader& materials, MeshLibrary& meshes,
+               std::vector<std::unique_ptr<Object3D>>& objects, ObjectPlaces* places)
+      : in_(in),
+        notes_(notes),
+        materials_(materials),
+        meshes_(meshes),
+        objects_(objects),
+        places_(places) {}
+
+  /// The object whose name is the current word, one of kObjectWords.
+  const Object3D* read();
+
+ private:
+  const Object3D* readKind(std::string_view word);
+  const Object3D* readGroup();
+  const Object3D* readTransform();
+  const Object3D* readMovedObject(bool areStepsGood);
+  const Object3D* readSphere();
+  const Object3D* readPlane();
+  const Object3D* readTriangle();
+  const Object3D* readTriangleMesh();
+  void warnOfMesh(const MeshGeometry& mesh, const char* at);
+  /// `at` is where a Sphere, Triangle or TriangleMesh begins.
+  const Object3D* keep(std::unique_ptr<Object3D> object, const char* at = nullptr);
+  bool isTooDeep();
+
+  FieldReader& in_;
+  SceneNotes& notes_;
+  MaterialReader& materials_;
+  MeshLibrary& meshes_;
+  std::vector<std::unique_ptr<Object3D>>& objects_;
+  ObjectPlaces* const places_;
+  int depth_ = 0;
+};
+
+/// Multiplies the steps of a Transform onto `product`, the first one leftmost, up to the first word
+/// that is none of them. `allowed` is what may stand there; where `mustInvert`, a step without an
+/// inverse is a mistake. False after a mistake.
+bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& product);
+
+/// Reads a whole scene file.
+class SceneReader {
+ public:
+  /// All must outlive the reader. `places`, where not null, is told where each object stands.
+  SceneReader(const SourceText& text, MistakeLog& log, SceneParser& scene, ObjectPlaces* places);
+
+  /// Reads everything; mistakes go to the log.
+  void read();
+
+ private:
+  void readSection();
+  void readMisplaced();
+  void reportSecond(std::string_view what, bool& isSeen);
+  void readCamera();
+  void readLights();
+  void readLight();
+  void readBackground();
+  void finish();
+
+  FieldReader in_;
+  SceneNotes notes_;
+  SceneParser& scene_;
+  MeshLibrary meshes_;
+  MaterialReader materials_;
+  ObjectReader objects_;
+  const char* lightsAt_ = nullptr;
+  bool hasCamera_ = false, hasLights_ = false, hasBackground_ = false, hasMaterials_ = false;
+  bool hasGroup_ = false;
+  bool hasMisplaced_ = false;  // something outside all sections: it may be a section's broken name
+};
