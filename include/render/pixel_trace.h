@@ -12,14 +12,9 @@ struct PixelOfPicture {
   int width, height, i, j;
 };
 
-struct PixelColors {
-  Vec3f centralRay;  ///< what arrives along the ray through the pixel's centre
-  Vec3f pixel;  ///< the picture's colour there; the same where RenderOptions::sampling is plain
-};
-
-/// Traces the central ray of a pixel, telling `observers` of it, and then what else the pixel's
-/// colour depends on: to the last bit that of a whole picture. `geometry` answers for the scene's
-/// objects. Takes a thread of its own, for as much stack as the bounces need.
-PixelColors tracePixel(const SceneParser& scene, const Object3D& geometry,
-                       const RenderOptions& options, const PixelOfPicture& place,
-                       const std::vector<RayObserver*>& observers);
+/// Tells each of the observers, one after the other, what becomes of the ray through the pixel's
+/// centre. Returns the pixel's colour, which its other samples may have a share in: to the last bit
+/// that of a whole picture, unclamped. `geometry` answers for the scene's objects. Traces on a
+/// thread of its own, for as much stack as the bounces need.
+Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
+                 const PixelOfPicture& place, const std::vector<RayObserver*>& observers);

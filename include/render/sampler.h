@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "math/vec2.h"
-#include "render/sampling_options.h"
+#include "render/render_options.h"
 
 class Sampler {
  public:
@@ -13,36 +13,36 @@ class Sampler {
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
 
-  /// How many samples each pixel has.
-  int getNumSamples() const { return samples_; }
+  /// How many samples a pixel has at most.
+  int getNumSamples() const { return most_; }
   /// How many of them come first; the others are for pixels that need more. Most patterns have no
   /// others.
-  virtual int getNumFirst() const { return samples_; }
+  int getNumFirst() const { return first_; }
+  /// True where some pixels may get more samples than others.
+  bool isAdaptive() const { return first_ < most_; }
   /// Sample `n` (0 <= n < getNumSamples()) of pixel (i, j), counted from the pixel's lower left
   /// corner: each component is at least 0 and below 1. (i, j) may lie outside of the picture.
   virtual Vec2d getSamplePosition(int i, int j, int n) const = 0;
 
  protected:
-  explicit Sampler(int samples) : samples_(samples) {}
+  Sampler(int first, int most) : first_(first), most_(most) {}
 
  private:
-  int samples_;
+  int first_, most_;
 };
 
 /// Anywhere in the pixel, evenly spread.
 class RandomSampler : public Sampler {
  public:
-  explicit RandomSampler(int samples) : Sampler(samples) {}
+  explicit RandomSampler(int samples) : Sampler(samples, samples) {}
   Vec2d getSamplePosition(int i, int j, int n) const override;
 };
 
-/// The side of the smallest square grid with at least `samples` >= 1 cells.
-int gridSide(int samples);
-
-/// The centres of a grid of cells, row by row from the lowest. One sample is the pixel's centre.
+/// The centres of a square grid of cells, row by row from the lowest. One sample is the pixel's
+/// centre.
 class UniformSampler : public Sampler {
  public:
-  /// `samples` is rounded up to a square.
+  /// `samples` >= 1 is rounded up to a square.
   explicit UniformSampler(int samples);
   Vec2d getSamplePosition(int i, int j, int n) const override;
 
@@ -50,26 +50,16 @@ class UniformSampler : public Sampler {
   int side_;
 };
 
-/// One sample in each cell of the same grid, anywhere in it.
-class JitteredSampler : public Sampler {
- public:
-  explicit JitteredSampler(int samples);
-  Vec2d getSamplePosition(int i, int j, int n) const override;
-
- private:
-  int side_;
-};
-
-/// Samples that can be taken by and by: the first s^2 4^k of them, for every k, are one in each
-/// cell of a grid of side s 2^k. For k = 0 they are those of JitteredSampler.
+/// One sample anywhere in each cell of a square grid; for pixels that need more, samples that can
+/// be taken by and by: the first s^2 4^k of them, for every k, are one in each cell of a grid of
+/// side s 2^k.
 /// Source: the idea of refining a pattern cell by cell is that of Painter and Sloan,
 /// "Antialiased Ray Tracing by Adaptive Progressive Refinement", 1989.
-class NestedSampler : public Sampler {
+class JitteredSampler : public Sampler {
  public:
-  /// s^2 is `first` rounded up to a square; `most` is rounded up to s^2 4^k.
-  NestedSampler(int first, int most);
-
-  int getNumFirst() const override { return side_ * side_; }
+  /// s^2 is `first` >= 1 rounded up to a square; `most` is rounded up to s^2 4^k.
+  JitteredSampler(int first, int most);
+  explicit JitteredSampler(int samples) : JitteredSampler(samples, 1) {}
   Vec2d getSamplePosition(int i, int j, int n) const override;
 
  private:

@@ -27,15 +27,15 @@ void writeOut(const std::string& text) {
 }
 
 /// The last lines: the pixel's colour, in numbers and in bytes.
-std::string resultOf(const Options& options, const PixelColors& colors) {
-  const Rgb8 bytes = bytesFromColor(colors.pixel);
+std::string resultOf(const Options& options, const Vec3f& color) {
+  const Rgb8 bytes = bytesFromColor(color);
   const std::string note =
       options.render.sampling.isPlain()
           ? ""
           : "the rays above come of the one through the pixel's centre; the colour of all its "
             "samples, filtered:\n";
-  return note + "color " + textOf(colors.pixel) + "\npixel " + std::to_string(options.pixelX) +
-         " " + std::to_string(options.pixelY) + " = " + std::to_string(bytes.r) + " " +
+  return note + "color " + textOf(color) + "\npixel " + std::to_string(options.pixelX) + " " +
+         std::to_string(options.pixelY) + " = " + std::to_string(bytes.r) + " " +
          std::to_string(bytes.g) + " " + std::to_string(bytes.b) + "\n";
 }
 
@@ -69,10 +69,10 @@ std::string inspectPixel(const InspectedScene& inspected, const Options& options
   if (obj) observers.push_back(&lines);
   const PixelOfPicture place = {options.width, options.height, options.pixelX,
                                 options.height - 1 - options.pixelY};
-  const PixelColors colors =
+  const Vec3f color =
       tracePixel(inspected.scene, inspected.geometry, options.render, place, observers);
   if (obj) obj->text = lines.obj();
-  return resultOf(options, colors);
+  return resultOf(options, color);
 }
 
 std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs) {

@@ -9,7 +9,7 @@
 #include "image/netpbm.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
-#include "render/filter_picture.h"
+#include "render/film.h"
 
 namespace {
 
@@ -74,8 +74,9 @@ std::size_t markUnwritable(std::vector<Output>& outputs) {
 void makeImages(std::vector<Output>& outputs, const Options& options) {
   for (Output& output : outputs) {
     if (output.kind == Output::Kind::filter) {
-      const auto filter = makeFilter(options.render.sampling);
-      output.image = drawFilter(*filter, options.width, options.height, options.filterZoom);
+      const SamplingOptions& sampling = options.render.sampling;
+      output.image = drawFilter({sampling.filter, sampling.filterSize}, options.width,
+                                options.height, options.filterZoom);
     } else if (output.kind != Output::Kind::rays) {
       const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
       const PixelRectangle area = renderedArea(options);

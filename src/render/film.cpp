@@ -1,22 +1,70 @@
-// The weighted sums of samples.
+// Filters, the film, and the pictures of filters and samples.
+//
+// A filter is a kernel: a function of the place and of one size. A sample is splatted: added to
+// every pixel within the filter's reach with the weight that it has as seen from there, so a film
+// needs each sample once and keeps none. Colours and places of the two pictures are those of the
+// course's own: MIT 6.837, "Supersampling and Antialiasing", 2004.
 #include "render/film.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "math/functions.h"
+
+namespace {
+
+/// 1 in a square around the centre, its border included, else 0.
+double box(double x, double y, double radius) {
+  return std::fabs(x) <= radius && std::fabs(y) <= radius ? 1 : 0;
+}
+
+/// A cone: max(0, 1 - d / radius), d the distance from the centre.
+double tent(double x, double y, double radius) {
+  return std::max(0.0, 1 - std::sqrt(x * x + y * y) / radius);
+}
+
+/// exp(-d^2 / (2 sigma^2)) up to the distance d = 2 sigma, 0 beyond.
+double gaussian(double x, double y, double sigma) {
+  const double ratio = (x * x + y * y) / (sigma * sigma);
+  return ratio <= 4 ? math::exp(-ratio / 2) : 0;  // 0 / 0, where sigma^2 underflows, is beyond
+}
+
+struct Shape {
+  double (*kernel)(double x, double y, double size);
+  double radiusPerSize;  // it is 0 further away than this times the size
+};
+/// By SamplingOptions::FilterKind.
+constexpr Shape kShapes[] = {{box, 1}, {tent, 1}, {gaussian, 2}};
+
+/// A pixel d to the side has samples from d - 0.5 to d + 0.5 away.
+int pixelsWithin(double radius) { return int(std::ceil(std::max(0.0, radius - 0.5))); }
+
+constexpr Vec3f kBeyond(0, 0, 0.5f), kLine(0, 0, 1);
+
+/// The whole number below a coordinate within a pixel, counted in enlarged pixels.
+int placeOf(double offset, int zoom) { return std::min(int(offset * zoom), zoom - 1); }
+
+}  // namespace
+
+Filter::Filter(SamplingOptions::FilterKind kind, double size)
+    : kernel_(kShapes[int(kind)].kernel),
+      size_(size),
+      supportRadius_(pixelsWithin(kShapes[int(kind)].radiusPerSize * size)) {}
 
 Film::Film(const PixelRectangle& area, const Filter& filter)
-    : area_(area),
-      filter_(filter),
-      reach_(filter.getSupportRadius()),
-      filtered_(area.pixelCount()),
-      own_(area.pixelCount()) {}
+    : area_(area), filter_(filter), filtered_(area.pixelCount()), own_(area.pixelCount()) {}
 
-void Film::addSample(Pixel at, const Vec2d& offset, const Vec3f& color, double share) {
-  const int left = std::max(at.i - reach_, area_.left),
-            right = std::min(at.i + reach_ + 1, area_.right);
-  const int bottom = std::max(at.j - reach_, area_.bottom),
-            top = std::min(at.j + reach_ + 1, area_.top);
+void Film::addSample(const Sample& sample, const Vec3f& color, double share) {
+  const auto [at, offset] = sample;
+  const int reach = filter_.getSupportRadius();
+  const int left = std::max(at.i - reach, area_.left),
+            right = std::min(at.i + reach + 1, area_.right);
+  const int bottom = std::max(at.j - reach, area_.bottom),
+            top = std::min(at.j + reach + 1, area_.top);
   for (int j = bottom; j < top; ++j) {
     for (int i = left; i < right; ++i) {
+      // Whole numbers are subtracted first: the weight is the same wherever the pixels are.
       const double weight =
           filter_.getWeight(at.i - i + (offset.x() - 0.5), at.j - j + (offset.y() - 0.5));
       if (weight > 0) filtered_[area_.index({i, j})].add(color, weight * share);
@@ -29,4 +77,39 @@ Vec3f Film::getColor(Pixel at) const {
   const Sum& filtered = filtered_[area_.index(at)];
   const Sum& sum = filtered.weight > 0 ? filtered : own_[area_.index(at)];
   return Vec3f(sum.color / sum.weight);
+}
+
+Image drawFilter(const Filter& filter, int width, int height, int zoom) {
+  const int reach = filter.getSupportRadius();
+  Image image(width * zoom + 1, height * zoom + 1);
+  for (int y = 0; y < image.Height(); ++y) {
+    const int j = y / zoom - height / 2;  // the pixel's place, counted from the middle one
+    for (int x = 0; x < image.Width(); ++x) {
+      const int i = x / zoom - width / 2;
+      if (x % zoom == 0 || y % zoom == 0) {
+        image.setPixel(x, y, kLine);
+      } else if (std::abs(i) > reach || std::abs(j) > reach) {
+        image.setPixel(x, y, kBeyond);
+      } else {
+        const auto weight = float(
+            filter.getWeight(i + double(x % zoom) / zoom - 0.5, j + double(y % zoom) / zoom - 0.5));
+        image.setPixel(x, y, Vec3f(weight, weight, weight));
+      }
+    }
+  }
+  return image;
+}
+
+void drawSamplesGround(Image& picture, int zoom, const PixelRectangle& area) {
+  for (int y = area.bottom * zoom; y < area.top * zoom; ++y) {
+    for (int x = area.left * zoom; x < area.right * zoom; ++x) {
+      const float grey = (x / zoom + y / zoom) % 2 == 0 ? 0.2f : 0.0f;
+      picture.setPixel(x, y, Vec3f(grey, grey, grey));
+    }
+  }
+}
+
+void drawSample(Image& picture, int zoom, const Sample& sample, const Vec3f& color) {
+  picture.setPixel(sample.at.i * zoom + placeOf(sample.offset.x(), zoom),
+                   sample.at.j * zoom + placeOf(sample.offset.y(), zoom), color);
 }

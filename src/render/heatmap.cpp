@@ -1,18 +1,20 @@
-// Rays are counted one by one, as batches mix those of many pixels.
+// The heat map.
+//
+// Rays are counted by an observer of the recursion that traces one ray after the other: batches mix
+// those of many pixels. So every sample is traced on its own, and where it is the colours that say
+// how many samples a pixel gets, those are found first, as for the picture.
 #include "render/heatmap.h"
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <numeric>
 
 #include "render/number_text.h"
-#include "render/sampled_renderer.h"
-#include "render/tracing_stack.h"
+#include "render/sample_tracing.h"
+#include "render/tiles.h"
 #include "render/watched_tracer.h"
-#include "system/worker_threads.h"
 
 namespace {
 
@@ -25,52 +27,26 @@ class RayCounter : public RayObserver {
   std::uint64_t rays = 0;
 };
 
-/// What one thread counts with.
-class PixelCounter {
- public:
-  PixelCounter(const SampledScene& scene, const SceneParser& parsed, const Object3D& geometry,
-               const RenderOptions& options, std::vector<std::uint32_t>& counts)
-      : scene_(scene),
-        watched_(parsed, geometry, options, counter_),
-        sampling_(options.sampling),
-        sampler_(makeSampler(options.sampling)),
-        counts_(counts) {}
-  PixelCounter(const PixelCounter&) = delete;
-  PixelCounter& operator=(const PixelCounter&) = delete;
+/// Adds up, without going round.
+void add(std::uint64_t rays, std::uint32_t& count) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  count = std::uint32_t(std::min(kMost, count + rays));
+}
 
-  void countTile(const PixelRectangle& area) {
-    if (isRefined(*sampler_)) {
-      const auto count = [&](const Sample& sample, const Vec3f&, double) { countSample(sample); };
-      return takeSamples(scene_, *sampler_, sampling_.tolerance, area, count);
-    }
-    for (const Pixel at : pixelsInOrder(area)) {
-      for (int n = 0; n < sampler_->getNumSamples(); ++n) {
-        countSample({at, sampler_->getSamplePosition(at.i, at.j, n)});
-      }
+/// Calls count(sample) for each sample of the pixels in `area`.
+template <class Count>
+void forEachSample(const SampledScene& scene, const Sampler& sampler, double tolerance,
+                   const PixelRectangle& area, const Count& count) {
+  if (sampler.isAdaptive()) {
+    return takeSamples(scene, sampler, tolerance, area,
+                       [&](const Sample& sample, const Vec3f&, double) { count(sample); });
+  }
+  for (const Pixel at : pixelsInOrder(area)) {
+    for (int n = 0; n < sampler.getNumSamples(); ++n) {
+      count({at, sampler.getSamplePosition(at.i, at.j, n)});
     }
   }
-
- private:
-  void countSample(const Sample& sample) {
-    const Vec2d point = imagePoint(sample.at.i + sample.offset.x(), sample.at.j + sample.offset.y(),
-                                   scene_.width, scene_.height);
-    Ray ray = scene_.camera.generateRay(point);
-    Hit hit;
-    counter_.rays = 0;
-    watched_.traceRay(ray, float(scene_.camera.getTMin()), 0, 1, 1, hit);
-    std::uint32_t& count =
-        counts_[std::size_t(sample.at.j) * std::size_t(scene_.width) + std::size_t(sample.at.i)];
-    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-    count = std::uint32_t(std::min(kMost, count + counter_.rays));
-  }
-
-  const SampledScene& scene_;
-  RayCounter counter_;
-  const WatchedTracer watched_;
-  const SamplingOptions& sampling_;
-  const std::unique_ptr<const Sampler> sampler_;
-  std::vector<std::uint32_t>& counts_;
-};
+}
 
 struct Stop {
   const char* name;
@@ -83,9 +59,9 @@ constexpr Stop kScale[] = {{"black", {0, 0, 0}},
                            {"red", {1, 0, 0}}};
 constexpr int kSteps = int(std::size(kScale)) - 1;
 
-/// 0 <= part <= 1 of the scale.
-Vec3f colorAt(double part) {
-  const double place = part * kSteps;
+/// The colour at 0 <= height <= 1 of the scale, by linear interpolation between its stops.
+Vec3f colorAt(double height) {
+  const double place = height * kSteps;
   const int step = std::min(int(place), kSteps - 1);
   const double beyond = place - step;
   return Vec3f(Vec3d(kScale[step].color) * (1 - beyond) + Vec3d(kScale[step + 1].color) * beyond);
@@ -97,23 +73,24 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
                                      const RenderOptions& options, int threads, int width,
                                      int height, TileListener* listener) {
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
+  const PixelRectangle picture = {0, 0, width, height};
   const RayTracer tracer(scene, geometry, options);
   const WaveTracer waves(tracer);
   const SampledScene sampled = {*scene.getCamera(), waves, width, height};
-  const int columns = (width + kTileSize - 1) / kTileSize;
-  const int tiles = columns * ((height + kTileSize - 1) / kTileSize);
-  const double samples = options.sampling.samples;  // as far as they can be foretold
+  const auto sampler = makeSampler(options.sampling);
+  const double samples = options.sampling.samples;  // of a pixel, as far as they can be foretold
   if (listener) listener->begins(samples * width * height);
-  std::atomic<int> next{0};
-  runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int) {
-    PixelCounter counter(sampled, scene, geometry, options, counts);
-    for (int tile; (tile = next++) < tiles;) {
-      const int left = tile % columns * kTileSize, bottom = tile / columns * kTileSize;
-      const PixelRectangle area = {left, bottom, std::min(left + kTileSize, width),
-                                   std::min(bottom + kTileSize, height)};
-      counter.countTile(area);
-      if (listener) listener->tileIsDone(area, samples * double(area.pixelCount()));
-    }
+  shareTiles({width, height, kTileSize}, options, threads, [&](const PixelRectangle& area) {
+    RayCounter counter;
+    const WatchedTracer watched(scene, geometry, options, counter);
+    forEachSample(sampled, *sampler, options.sampling.tolerance, area, [&](const Sample& sample) {
+      Ray ray = sampled.rayOf(sample);
+      Hit hit;
+      counter.rays = 0;
+      watched.traceRay(ray, float(sampled.camera.getTMin()), 0, 1, 1, hit);
+      add(counter.rays, counts[picture.index(sample.at)]);
+    });
+    if (listener) listener->tileIsDone(area, samples * double(area.pixelCount()));
   });
   return counts;
 }

@@ -8,7 +8,7 @@
 
 #include "render/image_plane.h"
 #include "render/sampled_renderer.h"
-#include "render/tracing_stack.h"
+#include "render/tiles.h"
 #include "render/watched_tracer.h"
 #include "render/wave_tracer.h"
 #include "system/worker_threads.h"

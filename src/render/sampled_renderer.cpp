@@ -1,11 +1,12 @@
 // Pictures with several samples in a pixel, or with a filter.
+//
+// A tile is computed from its own pixels and those around it that the filter reaches; these are
+// traced again for each tile, so that memory does not grow with the picture. The samples are added
+// in an order of the whole plane (that of pixelsInOrder, the samples of a pixel by number), so no
+// byte depends on where tiles begin or end.
 #include "render/sampled_renderer.h"
 
 #include <algorithm>
-
-#include "render/adaptive_sampling.h"
-#include "render/film.h"
-#include "render/samples_picture.h"
 
 namespace {
 
@@ -13,84 +14,48 @@ constexpr int kBlock = 16, kMostBlocks = 8, kTilesPerThread = 4;
 /// What the first samples of a tile may take where others may have to be added to them.
 constexpr std::size_t kMostTileBytes = 32 << 20;
 
-int tilesAlong(int pixels, int tileSize) { return (pixels + tileSize - 1) / tileSize; }
-
-/// The side of a tile with `margin` pixels around it that are traced too: 32 times as long, up to
-/// 128 pixels, so that they are few; less where so many first samples could not be kept, or where
-/// there would be too few tiles to keep all threads busy.
-int tileSizeFor(Vec2<int> picture, const Sampler& sampler, int margin, int threads) {
-  const auto isTooLarge = [&](int size) {
-    const int side = size + 2 * margin;
-    const std::size_t pixels = std::size_t(side) * std::size_t(side);
-    const std::size_t samples = pixels * std::size_t(sampler.getNumFirst());
-    const bool tooMany = samples * AdaptiveSampling::kBytesPerSample > kMostTileBytes;
-    const int tiles = tilesAlong(picture.x(), size) * tilesAlong(picture.y(), size);
-    return (isRefined(sampler) && tooMany) || tiles / kTilesPerThread < threads;
+/// Tiles with `margin` pixels around them that are traced too: 32 times as long as that, up to 128
+/// pixels, so that the margins are few; less where so many first samples could not be kept, or
+/// where there would be too few tiles to keep all threads busy. The sides are multiples of 16.
+Tiling tilingFor(Vec2<int> picture, const Sampler& sampler, int margin, int threads) {
+  const auto isTooLarge = [&](const Tiling& tiling) {
+    const auto side = std::size_t(tiling.side + 2 * margin);
+    const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
+    const bool tooMany = sampler.isAdaptive() && samples * kBytesPerSample > kMostTileBytes;
+    return tooMany || tiling.count() / kTilesPerThread < threads;
   };
-  int blocks = std::clamp(2 * margin, 1, kMostBlocks);
-  while (blocks > 1 && isTooLarge(kBlock * blocks)) --blocks;
-  return kBlock * blocks;
+  Tiling tiling = {picture.x(), picture.y(), kBlock * std::clamp(2 * margin, 1, kMostBlocks)};
+  while (tiling.side > kBlock && isTooLarge(tiling)) tiling.side -= kBlock;
+  return tiling;
 }
 
 }  // namespace
-
-bool isRefined(const Sampler& sampler) { return sampler.getNumFirst() < sampler.getNumSamples(); }
-
-void takeSamples(const SampledScene& scene, const Sampler& sampler, double tolerance,
-                 const PixelRectangle& sources, const AdaptiveSampling::Receiver& receiver) {
-  if (isRefined(sampler)) {
-    return AdaptiveSampling(scene, sampler, tolerance, sources).finish(receiver);
-  }
-  SampleBatch batch(scene,
-                    [&](const Sample& sample, const Vec3f& color) { receiver(sample, color, 1); });
-  for (const Pixel at : pixelsInOrder(sources)) {
-    for (int n = 0; n < sampler.getNumSamples(); ++n) {
-      batch.add({at, sampler.getSamplePosition(at.i, at.j, n)});
-    }
-  }
-  batch.flush();
-}
 
 SampledRenderer::SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
                                  const RenderTargets& targets, Vec2<int> size, int threads)
     : scene_(scene),
       options_(options),
       targets_(targets),
-      size_(size),
       sampler_(makeSampler(options)),
-      filter_(makeFilter(options)),
-      reach_(targets.color ? filter_->getSupportRadius() : 0),
-      tileSize_(tileSizeFor(size, *sampler_, reach_ + int(isRefined(*sampler_)), threads)) {}
-
-int SampledRenderer::tileCount() const {
-  return tilesAlong(size_.x(), tileSize_) * tilesAlong(size_.y(), tileSize_);
-}
-
-PixelRectangle SampledRenderer::areaOf(int tile) const {
-  const int columns = tilesAlong(size_.x(), tileSize_);
-  const int left = tile % columns * tileSize_, bottom = tile / columns * tileSize_;
-  return {left, bottom, std::min(left + tileSize_, size_.x()),
-          std::min(bottom + tileSize_, size_.y())};
-}
-
-/// The same pixels, counted in the whole picture that the targets are a window of.
-PixelRectangle SampledRenderer::inWhole(const PixelRectangle& area) const {
-  const PictureWindow& window = targets_.window;
-  return {area.left + window.left, area.bottom + window.bottom, area.right + window.left,
-          area.top + window.bottom};
-}
+      filter_(options.filter, options.filterSize),
+      reach_(targets.color ? filter_.getSupportRadius() : 0),
+      tiling_(tilingFor(size, *sampler_, reach_ + int(sampler_->isAdaptive()), threads)) {}
 
 void SampledRenderer::renderTile(int tile) const {
-  const PixelRectangle area = inWhole(areaOf(tile)), sources = area.grown(reach_);
-  Film film(area, *filter_);
-  if (targets_.samples) drawPixels(*targets_.samples, targets_.samplesZoom, area);
+  // Samples are taken of the whole picture, which the targets may be a window of.
+  const PixelRectangle inTargets = areaOf(tile);
+  const PictureWindow& window = targets_.window;
+  const PixelRectangle area = {inTargets.left + window.left, inTargets.bottom + window.bottom,
+                               inTargets.right + window.left, inTargets.top + window.bottom};
+  Film film(area, filter_);
+  if (targets_.samples) drawSamplesGround(*targets_.samples, targets_.samplesZoom, area);
   const auto take = [&](const Sample& sample, const Vec3f& color, double share) {
-    film.addSample(sample.at, sample.offset, color, share);
+    film.addSample(sample, color, share);
     if (targets_.samples && area.contains(sample.at)) {
       drawSample(*targets_.samples, targets_.samplesZoom, sample, color);
     }
   };
-  takeSamples(scene_, *sampler_, options_.tolerance, sources, take);
+  takeSamples(scene_, *sampler_, options_.tolerance, area.grown(reach_), take);
   if (targets_.color) store(film, area);
 }
 

@@ -1,23 +1,11 @@
 // SampledRenderer: pictures with several samples in a pixel, or with a filter, tile by tile.
-//
-// A tile is computed from its own pixels and those around it that the filter reaches; these are
-// traced again for each tile, so that memory does not grow with the picture. The samples are added
-// in an order of the whole plane (blocks of 16 x 16 pixels row by row, Morton's order in a block,
-// the samples of a pixel by number), so no byte depends on where tiles begin or end.
 #pragma once
-#include "render/adaptive_sampling.h"
+#include <memory>
+
 #include "render/film.h"
 #include "render/renderer.h"
-#include "render/sample_batch.h"
-#include "render/sampler.h"
-
-/// Hands the samples of the pixels in `sources`, and their colours, to `receiver`, in the order
-/// said above. `scene` and `sampler` must last as long as the call.
-void takeSamples(const SampledScene& scene, const Sampler& sampler, double tolerance,
-                 const PixelRectangle& sources, const AdaptiveSampling::Receiver& receiver);
-
-/// True where some pixels may get more samples than others.
-bool isRefined(const Sampler& sampler);
+#include "render/sample_tracing.h"
+#include "render/tiles.h"
 
 class SampledRenderer {
  public:
@@ -27,20 +15,18 @@ class SampledRenderer {
   SampledRenderer(const SampledScene& scene, const SamplingOptions& options,
                   const RenderTargets& targets, Vec2<int> size, int threads);
 
-  int tileCount() const;
-  PixelRectangle areaOf(int tile) const;
+  int tileCount() const { return tiling_.count(); }
+  PixelRectangle areaOf(int tile) const { return tiling_.areaOf(tile); }
   void renderTile(int tile) const;
 
  private:
-  PixelRectangle inWhole(const PixelRectangle& area) const;
   void store(const Film& film, const PixelRectangle& area) const;
 
   const SampledScene scene_;
   const SamplingOptions options_;
   const RenderTargets targets_;
-  const Vec2<int> size_;
   const std::unique_ptr<const Sampler> sampler_;
-  const std::unique_ptr<const Filter> filter_;
-  int reach_;     // pixels beyond a tile whose samples count in it
-  int tileSize_;  // a multiple of 16
+  const Filter filter_;
+  int reach_;  // pixels beyond a tile whose samples count in it
+  Tiling tiling_;
 };

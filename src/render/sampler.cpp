@@ -1,4 +1,13 @@
 // The patterns of samples.
+//
+// Random numbers are hashed from the pixel and a count: the nth number of a pixel is there without
+// those before it, and neighbours have nothing in common.
+//
+// The jittered pattern is refined like this. A grid of side s has a sample in each cell. For the
+// grid of twice the side each cell is cut into four quarters: its own sample lies in one of them
+// and stays there, and each of the other three gets a new one. So four times as many samples are
+// again one in each cell, and those taken before are among them. Nothing is kept: which quarter of
+// a cell its sample lies in is found by following the sample down from the coarsest grid.
 #include "render/sampler.h"
 
 #include <cassert>
@@ -23,10 +32,19 @@ Vec2d pointInCell(int x, int y, int side, const Vec2d& within) {
   return {(x + within.x()) / side, (y + within.y()) / side};
 }
 
-int nestedCount(int first, int most) {
-  int count = gridSide(first) * gridSide(first);
-  while (count < most) count *= 4;
-  return count;
+/// The side of the smallest square grid with at least `samples` >= 1 cells.
+int gridSide(int samples) {
+  int side = 1;
+  while (side * side < samples) ++side;
+  return side;
+}
+
+int squareFrom(int samples) { return gridSide(samples) * gridSide(samples); }
+
+/// The first s^2 4^k that is at least `most`, s^2 being `first`.
+int refinedCount(int first, int most) {
+  while (first < most) first *= 4;
+  return first;
 }
 
 }  // namespace
@@ -35,39 +53,25 @@ Vec2d RandomSampler::getSamplePosition(int i, int j, int n) const {
   return randomPoint(seedOf(i, j), std::uint64_t(n));
 }
 
-int gridSide(int samples) {
-  int side = 1;
-  while (side * side < samples) ++side;
-  return side;
-}
-
 UniformSampler::UniformSampler(int samples)
-    : Sampler(gridSide(samples) * gridSide(samples)), side_(gridSide(samples)) {}
+    : Sampler(squareFrom(samples), squareFrom(samples)), side_(gridSide(samples)) {}
 
 Vec2d UniformSampler::getSamplePosition(int, int, int n) const {
   return pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
 }
 
-JitteredSampler::JitteredSampler(int samples)
-    : Sampler(gridSide(samples) * gridSide(samples)), side_(gridSide(samples)) {}
+JitteredSampler::JitteredSampler(int first, int most)
+    : Sampler(squareFrom(first), refinedCount(squareFrom(first), most)), side_(gridSide(first)) {}
 
 Vec2d JitteredSampler::getSamplePosition(int i, int j, int n) const {
-  const Vec2d within = randomPoint(seedOf(i, j), std::uint64_t(n));
-  return pointInCell(n % side_, n / side_, side_, within);
-}
-
-NestedSampler::NestedSampler(int first, int most)
-    : Sampler(nestedCount(first, most)), side_(gridSide(first)) {}
-
-/// Each cell of a level brings three new samples to the next: one to each of its quarters but the
-/// one in which its own sample lies.
-Vec2d NestedSampler::getSamplePosition(int i, int j, int n) const {
   assert(n >= 0 && n < getNumSamples());
   const std::uint64_t pixel = seedOf(i, j);
-  Cell parent = {0, 0, 0};
   int before = getNumFirst(), side = side_;
-  if (n < before) return sampleIn(pixel, {0, n % side, n / side});
+  if (n < before) return newSampleIn(pixel, {0, n % side, n / side});
+  // Which grid is refined when sample n comes: the one whose samples end before it.
+  Cell parent = {0, 0, 0};
   for (; n >= 4 * before; before *= 4, side *= 2) ++parent.level;
+  // Each of its cells brings three new samples, to all of its quarters but that of its own sample.
   const int cell = (n - before) / 3, other = (n - before) % 3;
   parent.x = cell % side;
   parent.y = cell / side;
@@ -78,7 +82,7 @@ Vec2d NestedSampler::getSamplePosition(int i, int j, int n) const {
 
 /// The sample that the grid of this level has in the cell: that of the cells around it, from the
 /// largest on, as long as it lies in this one.
-Vec2d NestedSampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
+Vec2d JitteredSampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
   Cell around = {0, cell.x >> cell.level, cell.y >> cell.level};
   Vec2d sample = newSampleIn(pixel, around);
   for (int level = 1; level <= cell.level; ++level) {
@@ -92,12 +96,13 @@ Vec2d NestedSampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
 }
 
 /// The quarter of the cell in which its sample lies: 0 and 1 below, 2 and 3 above.
-int NestedSampler::quarterOf(const Vec2d& sample, const Cell& cell) const {
+int JitteredSampler::quarterOf(const Vec2d& sample, const Cell& cell) const {
   const int finer = side_ << (cell.level + 1);
   return int(sample.x() * finer >= 2 * cell.x + 1) + 2 * int(sample.y() * finer >= 2 * cell.y + 1);
 }
 
-Vec2d NestedSampler::newSampleIn(std::uint64_t pixel, const Cell& cell) const {
+/// The sample of a cell in which no coarser grid has one.
+Vec2d JitteredSampler::newSampleIn(std::uint64_t pixel, const Cell& cell) const {
   const int side = side_ << cell.level;
   const auto index = std::uint64_t(cell.x + cell.y * side) | std::uint64_t(cell.level) << 32;
   return pointInCell(cell.x, cell.y, side, randomPoint(pixel, index));
@@ -111,7 +116,7 @@ std::unique_ptr<const Sampler> makeSampler(const SamplingOptions& options) {
     case Pattern::jittered:
       return std::make_unique<JitteredSampler>(options.samples);
     case Pattern::adaptive:
-      return std::make_unique<NestedSampler>(options.samples, options.maxSamples);
+      return std::make_unique<JitteredSampler>(options.samples, options.maxSamples);
     case Pattern::uniform:
       return std::make_unique<UniformSampler>(options.samples);
     case Pattern::center:

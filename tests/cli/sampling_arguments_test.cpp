@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "cli/option_table.h"
-#include "render/sampling_options.h"
+#include "render/render_options.h"
 #include "run_program.h"
 
 namespace {

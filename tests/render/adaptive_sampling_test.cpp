@@ -1,9 +1,7 @@
 // More samples where colours differ.
-#include "render/adaptive_sampling.h"
+#include "render/sampling.h"
 
 #include <cstdlib>
-
-#include "render/sampling.h"
 
 using sampling::adaptive;
 using sampling::grey;
@@ -35,7 +33,7 @@ TEST("adaptive samples of a picture of one colour are the first ones, even with 
 TEST("adaptive samples with a tolerance that all exceed are all of them") {
   const SceneParser scene = variedScene();
   const Image all = renderSamples(scene, 9, 9, 64, adaptive(4, 64, -1));
-  const NestedSampler sampler(4, 64);
+  const JitteredSampler sampler(4, 64);
   int wrong = 0;
   for (int j = 0; j < 9; ++j) {
     for (int i = 0; i < 9; ++i) {

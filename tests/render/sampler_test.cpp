@@ -106,29 +106,29 @@ TEST("random samples are evenly spread, within a pixel and from pixel to pixel")
   CHECK_NEAR(chiSquare(acrossColumns, 65536), 255, 110);
 }
 
-TEST("nested samples begin with jittered ones and are one in each cell at every step") {
+TEST("refined samples begin with jittered ones and are one in each cell at every step") {
   for (const int side : {1, 2, 3, 5}) {
     const int first = side * side, most = first * 256;
-    const NestedSampler nested(first, most);
+    const JitteredSampler refined(first, most);
     const JitteredSampler jittered(first);
-    CHECK_EQUAL(nested.getNumFirst(), first);
-    CHECK_EQUAL(nested.getNumSamples(), most);
+    CHECK_EQUAL(refined.getNumFirst(), first);
+    CHECK_EQUAL(refined.getNumSamples(), most);
     for (const auto& pixel : kPixels) {
       for (int n = 0; n < first; ++n) {
-        const Vec2d a = nested.getSamplePosition(pixel[0], pixel[1], n);
+        const Vec2d a = refined.getSamplePosition(pixel[0], pixel[1], n);
         const Vec2d b = jittered.getSamplePosition(pixel[0], pixel[1], n);
         CHECK(a.x() == b.x() && a.y() == b.y());
       }
       for (int step = 0; step <= 4; ++step)
-        CHECK(isOneEach(countInCells(nested, pixel, first << 2 * step, side << step)));
+        CHECK(isOneEach(countInCells(refined, pixel, first << 2 * step, side << step)));
     }
   }
 }
 
-TEST("nested numbers are rounded up to a square and to this times a power of 4") {
-  CHECK_EQUAL(NestedSampler(5, 5).getNumFirst(), 9);
-  CHECK_EQUAL(NestedSampler(5, 5).getNumSamples(), 9);
-  CHECK_EQUAL(NestedSampler(5, 10).getNumSamples(), 36);
-  CHECK_EQUAL(NestedSampler(4, 64).getNumSamples(), 64);
-  CHECK_EQUAL(NestedSampler(4, 65).getNumSamples(), 256);
+TEST("refined numbers are rounded up to a square and to this times a power of 4") {
+  CHECK_EQUAL(JitteredSampler(5, 5).getNumFirst(), 9);
+  CHECK_EQUAL(JitteredSampler(5, 5).getNumSamples(), 9);
+  CHECK_EQUAL(JitteredSampler(5, 10).getNumSamples(), 36);
+  CHECK_EQUAL(JitteredSampler(4, 64).getNumSamples(), 64);
+  CHECK_EQUAL(JitteredSampler(4, 65).getNumSamples(), 256);
 }

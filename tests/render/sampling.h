@@ -2,9 +2,9 @@
 #pragma once
 #include <algorithm>
 
-#include "render/adaptive_sampling.h"
-#include "render/filter.h"
+#include "render/film.h"
 #include "render/renderer.h"
+#include "render/sample_tracing.h"
 #include "scene_text.h"
 
 inline std::ostream& operator<<(std::ostream& out, Rgb8 value) {
@@ -110,7 +110,7 @@ class PlainSampling {
         options_(options),
         tracer_(scene, *scene.getGroup(), options),
         sampler_(makeSampler(options.sampling)),
-        filter_(makeFilter(options.sampling)),
+        filter_(options.sampling.filter, options.sampling.filterSize),
         width_(width),
         height_(height) {}
 
@@ -148,7 +148,7 @@ class PlainSampling {
   }
 
   Vec3f pixelColor(int i, int j) const {
-    const int reach = filter_->getSupportRadius();
+    const int reach = filter_.getSupportRadius();
     Vec3d sum;
     double weights = 0;
     for (const Pixel at : pixelsInOrder({i - reach, j - reach, i + reach + 1, j + reach + 1})) {
@@ -156,7 +156,7 @@ class PlainSampling {
       for (int n = 0; n < count; ++n) {
         const Vec2d offset = sampler_->getSamplePosition(at.i, at.j, n);
         const double weight =
-            filter_->getWeight(at.i - i + (offset.x() - 0.5), at.j - j + (offset.y() - 0.5)) *
+            filter_.getWeight(at.i - i + (offset.x() - 0.5), at.j - j + (offset.y() - 0.5)) *
             (sampler_->getNumSamples() / double(count));
         sum += Vec3d(sampleColor(at.i, at.j, n)) * weight;
         weights += weight;
@@ -169,7 +169,7 @@ class PlainSampling {
   const RenderOptions options_;
   const RayTracer tracer_;
   const std::unique_ptr<const Sampler> sampler_;
-  const std::unique_ptr<const Filter> filter_;
+  const Filter filter_;
   const int width_, height_;
 };
 

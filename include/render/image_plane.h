@@ -1,4 +1,5 @@
-// Places on the picture: pixels, rectangles of them, and their points on the camera's image plane.
+// Places on the picture: pixels, samples in them, rectangles of pixels, and their points on the
+// camera's image plane. Pixels are counted from 0 from the lower left corner of the whole picture.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -7,6 +8,12 @@
 
 struct Pixel {
   int i, j;
+};
+
+/// A place where a ray is sent through the picture.
+struct Sample {
+  Pixel at;
+  Vec2d offset;  ///< from the lower left corner of the pixel: each component from 0 to below 1
 };
 
 /// The pixels left <= i < right, bottom <= j < top, which may lie outside of the picture.
@@ -28,18 +35,33 @@ struct PixelRectangle {
   }
 };
 
-/// Every other bit of a place in a block of 16 x 16 pixels, from the lowest on. Pixels are taken
-/// in this order (Morton's), so that any 2^n rays in a row lie in a block.
+/// Every other bit of a place in a block of 16 x 16 pixels, from the lowest on: its column; that of
+/// place / 2 is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that any 2^n
+/// rays in a row lie in a small block, where they meet much the same things.
 constexpr int evenBits(int place) {
   return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
 }
 
 /// The pixels of `area` in an order of the whole plane: blocks of 16 x 16 row by row, those of a
 /// block in the order of evenBits. Any two pixels come in the same order in every area.
-std::vector<Pixel> pixelsInOrder(const PixelRectangle& area);
+inline std::vector<Pixel> pixelsInOrder(const PixelRectangle& area) {
+  constexpr int kBlock = 16;
+  const auto blockStart = [](int at) { return at - (at % kBlock + kBlock) % kBlock; };
+  std::vector<Pixel> pixels;
+  pixels.reserve(area.pixelCount());
+  for (int j = blockStart(area.bottom); j < area.top; j += kBlock) {
+    for (int i = blockStart(area.left); i < area.right; i += kBlock) {
+      for (int place = 0; place < kBlock * kBlock; ++place) {
+        const Pixel at = {i + evenBits(place), j + evenBits(place >> 1)};
+        if (area.contains(at)) pixels.push_back(at);
+      }
+    }
+  }
+  return pixels;
+}
 
 /// The point (x, y) of a picture of width x height pixels, counted in pixels from its lower left
-/// corner, on the image plane.
+/// corner, on the image plane: the longer side is 1 long there, and the middle is (0, 0).
 inline Vec2d imagePoint(double x, double y, int width, int height) {
   const double longer = std::max(width, height);
   return {(x - width / 2.0) / longer, (y - height / 2.0) / longer};
