@@ -6,7 +6,7 @@
 
 #include "render/ray_observer.h"
 #include "render/render_options.h"
-#include "render/scene_names.h"
+#include "render/report_words.h"
 
 class RayReport : public RayObserver {
  public:

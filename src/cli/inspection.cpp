@@ -6,10 +6,10 @@
 #include "cli/run_display.h"
 #include "render/heatmap.h"
 #include "render/material_colors.h"
-#include "render/number_text.h"
 #include "render/pixel_trace.h"
 #include "render/ray_lines.h"
 #include "render/ray_report.h"
+#include "render/report_words.h"
 
 namespace {
 

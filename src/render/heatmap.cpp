@@ -11,7 +11,10 @@
 #include <memory>
 #include <numeric>
 
-#include "render/number_text.h"
+#include "render/report_words.h"
+#include "render/sample_tracing.h"
+#include "render/tiles.h"
+#include "render/watched_tracer.h"
 #include "render/sample_tracing.h"
 #include "render/tiles.h"
 #include "render/watched_tracer.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "render/blocker.h"
-#include "render/number_text.h"
+#include "render/report_words.h"
 
 namespace {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "render/blocker.h"
-#include "render/number_text.h"
 
 namespace {
 
