@@ -30,6 +30,7 @@ struct PixelRectangle {
     return std::size_t(at.j - bottom) * std::size_t(width()) + std::size_t(at.i - left);
   }
   std::size_t pixelCount() const { return std::size_t(width()) * std::size_t(height()); }
+  PixelRectangle moved(int x, int y) const { return {left + x, bottom + y, right + x, top + y}; }
   PixelRectangle grown(int margin) const {
     return {left - margin, bottom - margin, right + margin, top + margin};
   }

@@ -11,24 +11,15 @@
 #include <memory>
 #include <numeric>
 
+#include "render/ray_counts.h"
 #include "render/report_words.h"
-#include "render/sample_tracing.h"
-#include "render/tiles.h"
-#include "render/watched_tracer.h"
 #include "render/sample_tracing.h"
 #include "render/tiles.h"
 #include "render/watched_tracer.h"
 
 namespace {
 
-constexpr int kTileSize = 16;
-
-class RayCounter : public RayObserver {
- public:
-  void rayBegins(const RayBegin&) override { ++rays; }
-  void lightAnswers(const LightVerdict& verdict) override { rays += verdict.castShadowRay; }
-  std::uint64_t rays = 0;
-};
+constexpr int kTileSide = 16;
 
 /// Adds up, without going round.
 void add(std::uint64_t rays, std::uint32_t& count) {
@@ -38,15 +29,14 @@ void add(std::uint64_t rays, std::uint32_t& count) {
 
 /// Calls count(sample) for each sample of the pixels in `area`.
 template <class Count>
-void forEachSample(const SampledScene& scene, const Sampler& sampler, double tolerance,
-                   const PixelRectangle& area, const Count& count) {
-  if (sampler.isAdaptive()) {
-    return takeSamples(scene, sampler, tolerance, area,
+void forEachSample(const SampleSource& source, const PixelRectangle& area, const Count& count) {
+  if (source.sampler.isAdaptive()) {
+    return takeSamples(source, area,
                        [&](const Sample& sample, const Vec3f&, double) { count(sample); });
   }
   for (const Pixel at : pixelsInOrder(area)) {
-    for (int n = 0; n < sampler.getNumSamples(); ++n) {
-      count({at, sampler.getSamplePosition(at.i, at.j, n)});
+    for (int n = 0; n < source.sampler.getNumSamples(); ++n) {
+      count(Sample{at, source.sampler.getSamplePosition(at.i, at.j, n)});
     }
   }
 }
@@ -79,22 +69,28 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
   const PixelRectangle picture = {0, 0, width, height};
   const RayTracer tracer(scene, geometry, options);
   const WaveTracer waves(tracer);
-  const SampledScene sampled = {*scene.getCamera(), waves, width, height};
+  const PictureView view = {*scene.getCamera(), width, height};
   const auto sampler = makeSampler(options.sampling);
+  const SampleSource source = {view, waves, *sampler, options.sampling.tolerance};
   const double samples = options.sampling.samples;  // of a pixel, as far as they can be foretold
-  if (listener) listener->begins(samples * width * height);
-  shareTiles({width, height, kTileSize}, options, threads, [&](const PixelRectangle& area) {
-    RayCounter counter;
-    const WatchedTracer watched(scene, geometry, options, counter);
-    forEachSample(sampled, *sampler, options.sampling.tolerance, area, [&](const Sample& sample) {
-      Ray ray = sampled.rayOf(sample);
+  const auto countSome = [&](int, TileQueue& queue) {
+    RayCounts rays;
+    const WatchedTracer watched(scene, geometry, options, rays);
+    const auto countSample = [&](const Sample& sample) {
+      TracedRay eye;
+      view.setEyeRay(sample, eye);
       Hit hit;
-      counter.rays = 0;
-      watched.traceRay(ray, float(sampled.camera.getTMin()), 0, 1, 1, hit);
-      add(counter.rays, counts[picture.index(sample.at)]);
-    });
-    if (listener) listener->tileIsDone(area, samples * double(area.pixelCount()));
-  });
+      const std::uint64_t before = rays.total();
+      watched.traceRay(eye.ray, float(eye.tmin), 0, eye.weight, eye.indexOfRefraction, hit);
+      add(rays.total() - before, counts[picture.index(sample.at)]);
+    };
+    while (const auto area = queue.take()) {
+      forEachSample(source, *area, countSample);
+      if (listener) listener->tileIsDone(*area, samples * double(area->pixelCount()));
+    }
+  };
+  if (listener) listener->begins(samples * width * height);
+  shareTiles({width, height, kTileSide}, options, threads, countSome);
   return counts;
 }
 

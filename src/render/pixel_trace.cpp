@@ -18,7 +18,8 @@ void traceCentralRay(const SceneParser& scene, const Object3D& geometry,
     Ray ray =
         camera.generateRay(imagePoint(place.i + 0.5, place.j + 0.5, place.width, place.height));
     Hit hit;
-    WatchedTracer(scene, geometry, options, *observer).traceRay(ray, float(camera.getTMin()), 0, 1, 1, hit);
+    WatchedTracer(scene, geometry, options, *observer)
+        .traceRay(ray, float(camera.getTMin()), 0, 1, 1, hit);
   }
 }
 

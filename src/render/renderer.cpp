@@ -1,22 +1,30 @@
-// The renderer: tiles are handed out one by one, so that no thread waits for a slow one.
+// The renderer.
+//
+// A picture is rendered tile by tile, in one pass or two. Where a pixel is the colour of the ray
+// through its centre, a tile is one batch of rays, and colour, depth, normals and materials all
+// come of what they hit. Where a pixel is made of samples, colours have a pass of their own, and
+// the central rays follow for the other pictures.
+//
+// A tile of samples is computed from its own pixels and those around it that the filter reaches;
+// these are traced again for each tile, so that memory does not grow with the picture. Samples are
+// added in an order of the whole plane (that of pixelsInOrder, those of a pixel by number), so no
+// byte depends on where tiles begin or end.
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 
-#include "render/image_plane.h"
-#include "render/sampled_renderer.h"
+#include "render/film.h"
+#include "render/sample_tracing.h"
 #include "render/tiles.h"
 #include "render/watched_tracer.h"
 #include "render/wave_tracer.h"
-#include "system/worker_threads.h"
 
 namespace {
 
-constexpr int kTileSize = 16, kTilePixels = kTileSize * kTileSize;
-static_assert(kTilePixels <= kBatchSize, "a tile is one batch");
+constexpr int kTileSide = TileStore::kSide;
+static_assert(kTileSide * kTileSide <= kBatchSize, "a tile of central rays is one batch");
 /// Where rays are counted, tiles are small enough for so many threads, however many there are.
 constexpr int kCountedThreads = 16;
 
@@ -35,72 +43,67 @@ Vec2<int> sizeOf(const RenderTargets& targets) {
   return {targets.samples->Width() / zoom, targets.samples->Height() / zoom};
 }
 
-/// The window, its width and height filled in where the targets are the whole picture.
-PictureWindow windowOf(const RenderTargets& targets) {
-  if (targets.window.width > 0) return targets.window;
-  const Vec2<int> size = sizeOf(targets);
-  return {0, 0, size.x(), size.y()};
+/// What the camera sees: the whole picture, which the targets, of `size`, may be a window of.
+PictureView viewOf(const SceneParser& scene, const PictureWindow& window, Vec2<int> size) {
+  if (window.width > 0) return {*scene.getCamera(), window.width, window.height};
+  return {*scene.getCamera(), size.x(), size.y()};
 }
 
-class TileRenderer {
+/// True where colours come of samples, or the samples themselves are wanted.
+bool isSampled(const RenderTargets& targets, const SamplingOptions& sampling) {
+  return targets.samples || (targets.color && !sampling.isPlain());
+}
+
+RenderTargets samplesAmong(const RenderTargets& targets) {
+  RenderTargets some = targets;
+  some.depth = some.normals = some.materials = nullptr;
+  some.exactDepth = some.exactNormals = nullptr;
+  return some;
+}
+
+RenderTargets surfacesAmong(const RenderTargets& targets) {
+  RenderTargets some = targets;
+  some.color = some.samples = nullptr;
+  some.exactColor = nullptr;
+  return some;
+}
+
+void set(Image* image, FloatImage* exact, Pixel at, const Vec3f& color) {
+  image->setPixel(at.i, at.j, color);  // clamps
+  if (exact) exact->setPixel(at.i, at.j, color);
+}
+
+/// Every picture but that of the samples, from the rays through the pixels' centres.
+class CentralRenderer {
  public:
-  TileRenderer(const SceneParser& scene, const WaveTracer& tracer, const RenderTargets& targets)
-      : camera_(*scene.getCamera()),
-        tracer_(tracer),
-        targets_(targets),
-        window_(windowOf(targets)),
-        width_(sizeOf(targets).x()),
-        height_(sizeOf(targets).y()) {}
+  CentralRenderer(const PictureView& view, const RenderTargets& targets, Vec2<int> size)
+      : view_(view), targets_(targets), size_(size) {}
 
-  int tileCount() const { return columns() * rows(); }
+  Tiling tiling() const { return {size_.x(), size_.y(), kTileSide}; }
+  double raysOfPixel() const { return 1; }
 
-  PixelRectangle areaOf(int tile) const {
-    const int left = tile % columns() * kTileSize, bottom = tile / columns() * kTileSize;
-    return {left, bottom, std::min(left + kTileSize, width_),
-            std::min(bottom + kTileSize, height_)};
-  }
-
-  void renderTile(int tile) const {
-    const PixelRectangle area = areaOf(tile);
-    Pixel pixels[kTilePixels];
-    RayBatch rays;
-    rays.reserve(kTilePixels);
-    int count = 0;
-    for (int place = 0; place < kTilePixels; ++place) {
-      const Pixel pixel = {area.left + evenBits(place), area.bottom + evenBits(place >> 1)};
-      if (!area.contains(pixel)) continue;
-      pixels[count++] = pixel;
-      TracedRay& ray = rays.emplace_back();
-      ray.ray = camera_.generateRay(centreOf(pixel));
-      ray.tmin = camera_.getTMin();
+  void renderTile(const WaveTracer& tracer, const PixelRectangle& area) const {
+    const std::vector<Pixel> pixels = pixelsInOrder(area);
+    RayBatch rays(pixels.size());
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      const Pixel inPicture = {targets_.window.left + pixels[k].i,
+                               targets_.window.bottom + pixels[k].j};
+      view_.setEyeRay({inPicture, {0.5, 0.5}}, rays[k]);
     }
-    Hit hits[kTilePixels];
+    Hit hits[kBatchSize];
     if (targets_.color) {
-      setColors(rays, hits, pixels);
+      Vec3f colors[kBatchSize];
+      tracer.trace(rays, 0, hits, colors);
+      for (std::size_t k = 0; k < pixels.size(); ++k) {
+        set(targets_.color, targets_.exactColor, pixels[k], colors[k]);
+      }
     } else {
-      tracer_.intersect(rays, hits);
+      tracer.intersect(rays, hits);
     }
-    for (int k = 0; k < count; ++k) setSurface(hits[k], pixels[k]);
+    for (std::size_t k = 0; k < pixels.size(); ++k) setSurface(hits[k], pixels[k]);
   }
 
  private:
-  /// On the image plane.
-  Vec2d centreOf(Pixel pixel) const {
-    return imagePoint(window_.left + pixel.i + 0.5, window_.bottom + pixel.j + 0.5, window_.width,
-                      window_.height);
-  }
-
-  int columns() const { return (width_ + kTileSize - 1) / kTileSize; }
-  int rows() const { return (height_ + kTileSize - 1) / kTileSize; }
-
-  void setColors(const RayBatch& rays, Hit* hits, const Pixel* pixels) const {
-    Vec3f colors[kTilePixels];
-    tracer_.trace(rays, 0, hits, colors);
-    for (std::size_t k = 0; k < rays.size(); ++k) {
-      set(targets_.color, targets_.exactColor, pixels[k], colors[k]);
-    }
-  }
-
   void setSurface(const Hit& hit, Pixel at) const {
     const bool found = hit.getT() < Hit().getT();
     if (targets_.depth) {
@@ -115,11 +118,7 @@ class TileRenderer {
     }
   }
 
-  static void set(Image* image, FloatImage* exact, Pixel at, const Vec3f& color) {
-    image->setPixel(at.i, at.j, color);  // clamps
-    if (exact) exact->setPixel(at.i, at.j, color);
-  }
-
+  /// 1 at depthMin, 0 at depthMax, and on beyond them.
   Vec3f depthColor(const Hit& hit) const {
     const double span = targets_.depthMax - targets_.depthMin;
     const float grey = float((targets_.depthMax - hit.getT()) / span);
@@ -131,11 +130,73 @@ class TileRenderer {
     return {std::fabs(n.x()), std::fabs(n.y()), std::fabs(n.z())};
   }
 
-  const Camera& camera_;
-  const WaveTracer& tracer_;
+  const PictureView view_;
   const RenderTargets targets_;
-  const PictureWindow window_;
-  const int width_, height_;  // of the targets
+  const Vec2<int> size_;
+};
+
+/// Colours from samples, and the picture of the samples.
+class SampledRenderer {
+ public:
+  /// Tiles are small enough to be shared by so many threads.
+  SampledRenderer(const PictureView& view, const RenderTargets& targets, Vec2<int> size,
+                  const SamplingOptions& options, int threads)
+      : view_(view),
+        targets_(targets),
+        size_(size),
+        options_(options),
+        threads_(threads),
+        sampler_(makeSampler(options)),
+        filter_(options.filter, options.filterSize),
+        reach_(targets.color ? filter_.getSupportRadius() : 0) {}
+
+  double raysOfPixel() const { return options_.samples; }
+
+  /// Tiles 32 times as long as the margin of pixels around them that are traced too, up to 128
+  /// pixels, so that the margins are few; less where so many first samples could not be kept, or
+  /// where there would be too few tiles to keep all threads busy.
+  Tiling tiling() const {
+    constexpr int kMostSquares = 8, kTilesPerThread = 4;
+    constexpr std::size_t kMostBytes = 32 << 20;
+    const int margin = reach_ + int(sampler_->isAdaptive());
+    const auto isTooLarge = [&](const Tiling& tiling) {
+      const auto side = std::size_t(tiling.side + 2 * margin);
+      const std::size_t samples = side * side * std::size_t(sampler_->getNumFirst());
+      const bool tooMany = sampler_->isAdaptive() && samples * kBytesPerSample > kMostBytes;
+      return tooMany || tiling.count() / kTilesPerThread < threads_;
+    };
+    Tiling tiling = {size_.x(), size_.y(), kTileSide * std::clamp(2 * margin, 1, kMostSquares)};
+    while (tiling.side > kTileSide && isTooLarge(tiling)) tiling.side -= kTileSide;
+    return tiling;
+  }
+
+  void renderTile(const WaveTracer& tracer, const PixelRectangle& area) const {
+    const PixelRectangle inPicture = area.moved(targets_.window.left, targets_.window.bottom);
+    Film film(inPicture, filter_);
+    if (targets_.samples) drawSamplesGround(*targets_.samples, targets_.samplesZoom, area);
+    const auto take = [&](const Sample& sample, const Vec3f& color, double share) {
+      film.addSample(sample, color, share);
+      if (targets_.samples && area.contains(sample.at)) {
+        drawSample(*targets_.samples, targets_.samplesZoom, sample, color);
+      }
+    };
+    takeSamples({view_, tracer, *sampler_, options_.tolerance}, inPicture.grown(reach_), take);
+    if (!targets_.color) return;
+    for (const Pixel at : pixelsInOrder(inPicture)) {
+      const Pixel inTargets = {at.i - targets_.window.left, at.j - targets_.window.bottom};
+      set(targets_.color, targets_.exactColor, inTargets, film.getColor(at));
+    }
+  }
+
+ private:
+  const PictureView view_;
+  const RenderTargets targets_;
+  const Vec2<int> size_;
+  const SamplingOptions options_;
+  const int threads_;
+  const std::unique_ptr<const Sampler> sampler_;
+  const Filter filter_;
+  const int reach_;  // pixels beyond a tile whose samples count in it
 };
 
 /// What one thread traces with: the tracer of all threads or, where rays are counted, one of its
@@ -159,45 +220,22 @@ class ThreadTracer {
   const WaveTracer waves_;
 };
 
-/// Rays for each pixel, as far as they can be foretold.
-double raysOf(const RenderTargets& targets, const RenderOptions& options) {
-  const bool isSampled = targets.samples || (targets.color && !options.sampling.isPlain());
-  return isSampled ? options.sampling.samples : 1;
-}
-
-/// Those of the whole picture: a second pass for depth and normals has one for each pixel.
-double allRaysOf(const RenderTargets& targets, const RenderOptions& options) {
-  const Vec2<int> size = sizeOf(targets);
-  RenderTargets central = targets;
-  central.color = central.samples = nullptr;
-  const double first = raysOf(targets, options);
-  const bool isSecond = anyOf(central) && (targets.samples || !options.sampling.isPlain()) &&
-                        (targets.samples || targets.color);
-  return double(size.x()) * size.y() * (first + isSecond);
-}
-
-/// Renders all tiles for `targets` on so many threads, but those that are kept, each thread with a
-/// renderer that makeRenderer(tracer) gives.
-template <class MakeRenderer>
-void renderTiles(const RayTracer& tracer, const std::vector<WorkerView>& views,
-                 const RenderTargets& targets, int threads, const MakeRenderer& makeRenderer) {
-  const RenderOptions& options = tracer.shader().options();
-  const WaveTracer waves(tracer);
-  const int tiles = makeRenderer(waves).tileCount();
-  std::atomic<int> next{0};
-  runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int thread) {
+/// Renders all tiles for `targets` on so many threads, but those that are stored.
+template <class Renderer>
+void renderTiles(const Renderer& renderer, const RayTracer& tracer,
+                 const std::vector<WorkerView>& views, const RenderTargets& targets, int threads) {
+  const auto renderSome = [&](int thread, TileQueue& queue) {
     const ThreadTracer own(tracer, views.empty() ? nullptr : &views[std::size_t(thread)]);
-    const auto renderer = makeRenderer(own.waves());
-    for (int tile; (tile = next++) < tiles;) {
-      const PixelRectangle area = renderer.areaOf(tile);
-      if (!targets.store || !targets.store->isFinished(targets, area)) {
-        renderer.renderTile(tile);
-        if (targets.store) targets.store->finish(targets, area);
+    while (const auto area = queue.take()) {
+      if (!targets.store || !targets.store->isFinished(targets, *area)) {
+        renderer.renderTile(own.waves(), *area);
+        if (targets.store) targets.store->finish(targets, *area);
       }
       if (!targets.listener) continue;
-      targets.listener->tileIsDone(area, raysOf(targets, options) * double(area.pixelCount()));
+      targets.listener->tileIsDone(*area, renderer.raysOfPixel() * double(area->pixelCount()));
     }
-  });
+  };
+  shareTiles(renderer.tiling(), tracer.shader().options(), threads, renderSome);
 }
 
 }  // namespace
@@ -205,23 +243,21 @@ void renderTiles(const RayTracer& tracer, const std::vector<WorkerView>& views,
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
             int threads, const RenderTargets& targets, const std::vector<WorkerView>& views) {
   const RayTracer tracer(scene, geometry, options);
-  RenderTargets central = targets;
-  if (targets.listener) targets.listener->begins(allRaysOf(targets, options));
-  if (targets.samples || (targets.color && !options.sampling.isPlain())) {
-    const PictureWindow window = windowOf(targets);
-    RenderTargets ofSamples = targets;
-    ofSamples.depth = ofSamples.normals = nullptr;
-    ofSamples.exactDepth = ofSamples.exactNormals = nullptr;
-    // Rays around a tile are traced again: to count the same, tiles must have the same size.
-    const int tileThreads = views.empty() ? threads : kCountedThreads;
-    renderTiles(tracer, views, ofSamples, threads, [&](const WaveTracer& own) {
-      return SampledRenderer({*scene.getCamera(), own, window.width, window.height},
-                             options.sampling, ofSamples, sizeOf(targets), tileThreads);
-    });
-    central.color = central.samples = nullptr;
-    central.exactColor = nullptr;
-    if (!anyOf(central)) return;
+  const Vec2<int> size = sizeOf(targets);
+  const PictureView view = viewOf(scene, targets.window, size);
+  const bool hasSamples = isSampled(targets, options.sampling);
+  const RenderTargets sampled = samplesAmong(targets);
+  const RenderTargets central = hasSamples ? surfacesAmong(targets) : targets;
+  // Rays around a tile are traced again: to count the same, tiles must have the same size.
+  const int tileThreads = views.empty() ? threads : kCountedThreads;
+  const SampledRenderer samples(view, sampled, size, options.sampling, tileThreads);
+  const CentralRenderer centres(view, central, size);
+  if (targets.listener) {
+    // As many rays as can be foretold: how many an adaptive sampler adds is not known.
+    const double ofSamples = hasSamples ? samples.raysOfPixel() : 0;
+    const double ofCentres = anyOf(central) ? centres.raysOfPixel() : 0;
+    targets.listener->begins(double(size.x()) * size.y() * (ofSamples + ofCentres));
   }
-  renderTiles(tracer, views, central, threads,
-              [&](const WaveTracer& own) { return TileRenderer(scene, own, central); });
+  if (hasSamples) renderTiles(samples, tracer, views, sampled, threads);
+  if (anyOf(central)) renderTiles(centres, tracer, views, central, threads);
 }

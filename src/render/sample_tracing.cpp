@@ -25,42 +25,36 @@ constexpr int kMostInGroup = 1024;
 using ColorReceiver = std::function<void(const Sample& sample, const Vec3f& color)>;
 
 /// Sends the rays of count <= kBatchSize samples through the scene together.
-void traceBatch(const SampledScene& scene, const Sample* samples, int count,
+void traceBatch(const SampleSource& source, const Sample* samples, int count,
                 const ColorReceiver& receiver) {
   RayBatch rays(static_cast<std::size_t>(count));
   Hit hits[kBatchSize];
   Vec3f colors[kBatchSize];
-  for (int k = 0; k < count; ++k) {
-    TracedRay& ray = rays[std::size_t(k)];
-    ray.ray = scene.rayOf(samples[k]);
-    ray.tmin = scene.camera.getTMin();
-  }
-  scene.tracer.trace(rays, 0, hits, colors);
+  for (int k = 0; k < count; ++k) source.view.setEyeRay(samples[k], rays[std::size_t(k)]);
+  source.tracer.trace(rays, 0, hits, colors);
   for (int k = 0; k < count; ++k) receiver(samples[k], colors[k]);
 }
 
 /// Traces the samples from <= n < to of each pixel and hands them over in that order.
-void traceSamples(const SampledScene& scene, const Sampler& sampler,
-                  const std::vector<Pixel>& pixels, int from, int to,
+void traceSamples(const SampleSource& source, const std::vector<Pixel>& pixels, int from, int to,
                   const ColorReceiver& receiver) {
   Sample batch[kBatchSize];
   int count = 0;
   for (const Pixel at : pixels) {
     for (int n = from; n < to; ++n) {
-      batch[count++] = {at, sampler.getSamplePosition(at.i, at.j, n)};
+      batch[count++] = {at, source.sampler.getSamplePosition(at.i, at.j, n)};
       if (count < kBatchSize) continue;
-      traceBatch(scene, batch, count, receiver);
+      traceBatch(source, batch, count, receiver);
       count = 0;
     }
   }
-  if (count > 0) traceBatch(scene, batch, count, receiver);
+  if (count > 0) traceBatch(source, batch, count, receiver);
 }
 
 /// The rule above, for a rectangle of pixels.
 class AdaptiveSampling {
  public:
-  AdaptiveSampling(const SampledScene& scene, const Sampler& sampler, double tolerance,
-                   const PixelRectangle& sources);
+  AdaptiveSampling(const SampleSource& source, const PixelRectangle& area);
 
   void takeAll(const SampleReceiver& receiver);
 
@@ -81,34 +75,27 @@ class AdaptiveSampling {
   void refine(std::vector<Pixel> pixels);
   void handOver(Pixel at, const SampleReceiver& receiver);
 
-  const SampledScene& scene_;
-  const Sampler& sampler_;
-  const double tolerance_;
-  const PixelRectangle sources_, seen_;
+  const SampleSource& source_;
+  const PixelRectangle area_, seen_;
   std::vector<SampledPixel> pixels_;  // those in seen_, row by row
 };
 
-AdaptiveSampling::AdaptiveSampling(const SampledScene& scene, const Sampler& sampler,
-                                   double tolerance, const PixelRectangle& sources)
-    : scene_(scene),
-      sampler_(sampler),
-      tolerance_(tolerance),
-      sources_(sources),
-      seen_(sources.grown(1)),
-      pixels_(seen_.pixelCount()) {
-  for (SampledPixel& pixel : pixels_) pixel.samples.reserve(std::size_t(sampler.getNumFirst()));
+AdaptiveSampling::AdaptiveSampling(const SampleSource& source, const PixelRectangle& area)
+    : source_(source), area_(area), seen_(area.grown(1)), pixels_(seen_.pixelCount()) {
+  const auto first = std::size_t(source.sampler.getNumFirst());
+  for (SampledPixel& pixel : pixels_) pixel.samples.reserve(first);
 }
 
 void AdaptiveSampling::takeAll(const SampleReceiver& receiver) {
   // 1. The first samples of all pixels and of those next to them.
-  take(pixelsInOrder(seen_), 0, sampler_.getNumFirst());
+  take(pixelsInOrder(seen_), 0, source_.sampler.getNumFirst());
   // 2. Which pixels need more, before any range grows.
-  const std::vector<Pixel> pixels = pixelsInOrder(sources_);
+  const std::vector<Pixel> pixels = pixelsInOrder(area_);
   std::vector<bool> needsMore;
   for (const Pixel at : pixels) needsMore.push_back(differsAround(at));
   // 3. Group by group: more samples, and all of them are handed over.
   const auto groupSize =
-      std::size_t(std::clamp(kGroupSamples / sampler_.getNumSamples(), 1, kMostInGroup));
+      std::size_t(std::clamp(kGroupSamples / source_.sampler.getNumSamples(), 1, kMostInGroup));
   for (std::size_t start = 0; start < pixels.size(); start += groupSize) {
     const std::size_t end = std::min(pixels.size(), start + groupSize);
     std::vector<Pixel> group;
@@ -122,7 +109,7 @@ void AdaptiveSampling::takeAll(const SampleReceiver& receiver) {
 
 /// Traces samples from <= n < to of each pixel.
 void AdaptiveSampling::take(const std::vector<Pixel>& pixels, int from, int to) {
-  traceSamples(scene_, sampler_, pixels, from, to, [&](const Sample& sample, const Vec3f& color) {
+  traceSamples(source_, pixels, from, to, [&](const Sample& sample, const Vec3f& color) {
     SampledPixel& pixel = (*this)[sample.at];
     pixel.samples.push_back({sample.offset, color});
     pixel.range.add(color);
@@ -134,14 +121,15 @@ bool AdaptiveSampling::differsAround(Pixel at) {
   for (int j = at.j - 1; j <= at.j + 1; ++j) {
     for (int i = at.i - 1; i <= at.i + 1; ++i) range.add((*this)[{i, j}].range);
   }
-  return range.width() > tolerance_;
+  return range.width() > source_.tolerance;
 }
 
 /// Gives pixels that need more samples four times as many, again and again, until they do not.
 void AdaptiveSampling::refine(std::vector<Pixel> pixels) {
-  for (int count = sampler_.getNumFirst(); count < sampler_.getNumSamples(); count *= 4) {
+  for (int count = source_.sampler.getNumFirst(); count < source_.sampler.getNumSamples();
+       count *= 4) {
     take(pixels, count, 4 * count);
-    const auto agree = [&](Pixel at) { return !((*this)[at].range.width() > tolerance_); };
+    const auto agree = [&](Pixel at) { return !((*this)[at].range.width() > source_.tolerance); };
     pixels.erase(std::remove_if(pixels.begin(), pixels.end(), agree), pixels.end());
   }
 }
@@ -149,7 +137,7 @@ void AdaptiveSampling::refine(std::vector<Pixel> pixels) {
 /// Hands over the samples of a pixel and forgets them.
 void AdaptiveSampling::handOver(Pixel at, const SampleReceiver& receiver) {
   const std::vector<TakenSample> samples = std::move((*this)[at].samples);
-  const double share = sampler_.getNumSamples() / double(samples.size());
+  const double share = source_.sampler.getNumSamples() / double(samples.size());
   for (const TakenSample& sample : samples) receiver({at, sample.offset}, sample.color, share);
 }
 
@@ -178,11 +166,9 @@ double ColorRange::width() const {
   return std::max({widths.r(), widths.g(), widths.b()});
 }
 
-void takeSamples(const SampledScene& scene, const Sampler& sampler, double tolerance,
-                 const PixelRectangle& sources, const SampleReceiver& receiver) {
-  if (sampler.isAdaptive()) {
-    return AdaptiveSampling(scene, sampler, tolerance, sources).takeAll(receiver);
-  }
-  traceSamples(scene, sampler, pixelsInOrder(sources), 0, sampler.getNumSamples(),
+void takeSamples(const SampleSource& source, const PixelRectangle& area,
+                 const SampleReceiver& receiver) {
+  if (source.sampler.isAdaptive()) return AdaptiveSampling(source, area).takeAll(receiver);
+  traceSamples(source, pixelsInOrder(area), 0, source.sampler.getNumSamples(),
                [&](const Sample& sample, const Vec3f& color) { receiver(sample, color, 1); });
 }

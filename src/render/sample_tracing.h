@@ -9,17 +9,25 @@
 #include "render/sampler.h"
 #include "render/wave_tracer.h"
 
-/// What a sample's colour comes from. Nothing is owned.
-struct SampledScene {
+/// A camera and the size of the whole picture that it takes, in pixels. The camera is not owned.
+struct PictureView {
   const Camera& camera;
-  const WaveTracer& tracer;
-  int width, height;  ///< of the whole picture, in pixels
+  int width, height;
 
-  /// The ray that the camera sends through a sample's place.
-  Ray rayOf(const Sample& sample) const {
-    return camera.generateRay(imagePoint(sample.at.i + sample.offset.x(),
-                                         sample.at.j + sample.offset.y(), width, height));
+  /// Makes of a new ray the one that the camera sends through a sample's place.
+  void setEyeRay(const Sample& sample, TracedRay& eye) const {
+    eye.ray = camera.generateRay(imagePoint(sample.at.i + sample.offset.x(),
+                                            sample.at.j + sample.offset.y(), width, height));
+    eye.tmin = camera.getTMin();
   }
+};
+
+/// What samples come of. Nothing is owned.
+struct SampleSource {
+  const PictureView& view;
+  const WaveTracer& tracer;
+  const Sampler& sampler;
+  double tolerance;  ///< as SamplingOptions has it
 };
 
 /// The least and the greatest of some colours, each component on its own, clamped to 0..1.
@@ -39,13 +47,12 @@ class ColorRange {
 /// samples than another may have.
 using SampleReceiver = std::function<void(const Sample& sample, const Vec3f& color, double share)>;
 
-/// Takes the samples of the pixels in `sources`, which may lie outside of the picture, and hands
-/// them to `receiver`: pixels as in pixelsInOrder, the samples of each by number. Where the sampler
-/// is adaptive, pixels whose colours differ by more than `tolerance` from each other, or from those
-/// of their neighbours, get more of them; then the first samples of the pixels around `sources` are
-/// traced too.
-void takeSamples(const SampledScene& scene, const Sampler& sampler, double tolerance,
-                 const PixelRectangle& sources, const SampleReceiver& receiver);
+/// Takes the samples of the pixels in `area`, which may lie outside of the picture, and hands them
+/// to `receiver`: pixels as in pixelsInOrder, the samples of each by number. Where the sampler is
+/// adaptive, pixels in which, or around which, colours differ by more than the tolerance get more
+/// of them; then the first samples of the pixels next to `area` are traced too.
+void takeSamples(const SampleSource& source, const PixelRectangle& area,
+                 const SampleReceiver& receiver);
 
 /// About how many bytes takeSamples needs for each of the first samples, where the sampler is
 /// adaptive.

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
+#include <optional>
 
 #include "render/image_plane.h"
 #include "render/render_options.h"
 #include "system/worker_threads.h"
 
 /// A picture of width x height pixels in squares of `side`, those at its right and upper edge
-/// perhaps smaller.
+/// perhaps cut off.
 struct Tiling {
   int width, height, side;
 
@@ -23,6 +25,25 @@ struct Tiling {
   }
 };
 
+/// Hands out all tiles once. Any thread may ask at any time.
+class TileQueue {
+ public:
+  explicit TileQueue(const Tiling& tiling) : tiling_(tiling) {}
+  TileQueue(const TileQueue&) = delete;
+  TileQueue& operator=(const TileQueue&) = delete;
+
+  /// The next tile that nobody has taken; none at the end.
+  std::optional<PixelRectangle> take() {
+    const int tile = next_++;
+    if (tile >= tiling_.count()) return std::nullopt;
+    return tiling_.areaOf(tile);
+  }
+
+ private:
+  const Tiling tiling_;
+  std::atomic<int> next_{0};
+};
+
 /// How much stack a thread needs that traces rays: enough for the deepest scene, and for each
 /// bounce that the options allow (measured: below 1 kB a bounce, 1.6 kB between solid textures,
 /// 3 kB with sanitizers). In bytes.
@@ -31,13 +52,12 @@ inline std::size_t tracingStack(const RenderOptions& options) {
   return kBase + std::size_t(options.maxBounces) * kPerBounce;
 }
 
-/// Calls work(area) for every tile, on at most `threads` >= 1 threads with stack enough to trace
-/// rays; each takes the next tile that nobody has begun. Throws what a worker throws.
-template <class Work>
-void shareTiles(const Tiling& tiling, const RenderOptions& options, int threads, const Work& work) {
-  const int tiles = tiling.count();
-  std::atomic<int> next{0};
-  runOnThreads(std::min(threads, tiles), tracingStack(options), [&](int) {
-    for (int tile; (tile = next++) < tiles;) work(tiling.areaOf(tile));
-  });
+/// Calls work(thread, queue) on at most `threads` >= 1 threads, 0 <= thread < threads, which have
+/// stack enough to trace rays; each is to work on the tiles that it takes from the one queue until
+/// there are no more. Throws what any of them throws.
+inline void shareTiles(const Tiling& tiling, const RenderOptions& options, int threads,
+                       const std::function<void(int thread, TileQueue& queue)>& work) {
+  TileQueue queue(tiling);
+  runOnThreads(std::min(threads, tiling.count()), tracingStack(options),
+               [&](int thread) { work(thread, queue); });
 }
