@@ -1,10 +1,16 @@
-// One pixel of a picture, traced on its own.
+// One pixel of a picture, looked into: its rays are traced once more, and two observers keep what
+// becomes of them, one as text and one as lines in space.
 #pragma once
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "geometry/object3d.h"
 #include "render/ray_observer.h"
 #include "render/render_options.h"
+#include "render/report_words.h"
 #include "scene/scene_parser.h"
 
 /// A pixel, counted from 0 from the lower left corner, of a picture of width x height.
@@ -13,8 +19,51 @@ struct PixelOfPicture {
 };
 
 /// Tells each of the observers, one after the other, what becomes of the ray through the pixel's
-/// centre. Returns the pixel's colour, which its other samples may have a share in: to the last bit
-/// that of a whole picture, unclamped. `geometry` answers for the scene's objects. Traces on a
-/// thread of its own, for as much stack as the bounces need.
+/// centre. Returns the pixel's colour, in which other samples may have a share: to the last bit
+/// that of a whole picture, unclamped. `geometry` answers for the scene's objects. Traces on
+/// threads of its own, for as much stack as the bounces need.
 Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
                  const PixelOfPicture& place, const std::vector<RayObserver*>& observers);
+
+/// An observer that writes the tree of rays as text: a line for each fact, in plain ASCII, two
+/// blanks for each step down. `writeLine` takes one line after the other, each with its end.
+/// `names` and `geometry`, which answers for the scene's objects, are not owned; `options` are
+/// those of the tracer.
+std::unique_ptr<RayObserver> makeRayReport(const SceneNames& names, const Object3D& geometry,
+                                           const RenderOptions& options,
+                                           std::function<void(const std::string& line)> writeLine);
+
+/// An observer that keeps rays as lines in space, for a modeller or mesh viewer.
+class RayLines : public RayObserver {
+ public:
+  /// `geometry` answers for the scene's objects and is not owned; `options` are those of the
+  /// tracer. A ray that meets nothing is drawn `escapeLength` > 0 long.
+  RayLines(const Object3D& geometry, const RenderOptions& options, double escapeLength)
+      : geometry_(geometry), options_(options), escapeLength_(escapeLength) {}
+
+  void rayBegins(const RayBegin& ray) override;
+  void rayMeets(const Hit* hit) override;
+  void lightAnswers(const LightVerdict& verdict) override;
+
+  /// All lines as a Wavefront OBJ file in the scene's units, at least one object for each kind of
+  /// ray that there is, named by the kind: eye, mirror, refracted, and the shadow rays that are
+  /// lit, tinted and blocked. Each ray is an `l` of two vertices, which have the kind's colour
+  /// (`v x y z r g b`). Lines with an end that is not finite are left out.
+  std::string obj() const;
+
+ private:
+  enum Kind { eye, mirror, refracted, lit, tinted, blocked };
+  static constexpr int kKinds = 6;
+  struct Line {
+    Vec3d from, to;
+  };
+
+  void add(Kind kind, const Ray& ray, double from, double to);
+
+  const Object3D& geometry_;
+  const RenderOptions options_;
+  const double escapeLength_;
+  Ray ray_;  // the one that began last
+  Kind kind_ = eye;
+  std::array<std::vector<Line>, kKinds> lines_;
+};

@@ -19,8 +19,9 @@ struct PictureWindow {
   int width = 0, height = 0;  ///< of the whole picture
 };
 
-/// The pictures wanted; null where one is not. All that are given have the same size, but
-/// `samples` is samplesZoom times as wide and high. Not owned.
+/// The pictures wanted; null where one is not, and one of them is not. All that are given have the
+/// same size, at least 1 x 1, but `samples` is samplesZoom >= 1 times as wide and high; every pixel
+/// is set. Not owned.
 struct RenderTargets {
   Image* color = nullptr;
   Image* depth = nullptr;
@@ -34,7 +35,8 @@ struct RenderTargets {
   FloatImage* exactColor = nullptr;
   FloatImage* exactDepth = nullptr;
   FloatImage* exactNormals = nullptr;
-  /// The t that is white and the t that is black in the depth image; they differ.
+  /// The t that is white and the t that is black in the depth image; they differ. Either may be the
+  /// larger one. What is not hit is black, in every picture but `color`.
   double depthMin = 0, depthMax = 1;
   /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
   PictureWindow window{};

@@ -7,8 +7,6 @@
 #include "render/heatmap.h"
 #include "render/material_colors.h"
 #include "render/pixel_trace.h"
-#include "render/ray_lines.h"
-#include "render/ray_report.h"
 #include "render/report_words.h"
 
 namespace {
@@ -62,10 +60,10 @@ std::string inspectPixel(const InspectedScene& inspected, const Options& options
   if (!options.tracesPixel) return "";
   Output* const obj = find(outputs, Output::Kind::rays);
   const SceneNames names(inspected.scene, inspected.places);
-  RayReport report(names, inspected.geometry, options.render, writeOut);
+  const auto report = makeRayReport(names, inspected.geometry, options.render, writeOut);
   const double span = inspected.scene.getSpan();
   RayLines lines(inspected.geometry, options.render, span > 0 ? span : kEscapeLength);
-  std::vector<RayObserver*> observers = {&report};
+  std::vector<RayObserver*> observers = {report.get()};
   if (obj) observers.push_back(&lines);
   const PixelOfPicture place = {options.width, options.height, options.pixelX,
                                 options.height - 1 - options.pixelY};

@@ -19,7 +19,28 @@
 
 namespace {
 
+/// In pixels. Small, as some pixels take a hundred times as long as others.
 constexpr int kTileSide = 16;
+
+/// What one thread counts with.
+class SampleCounter {
+ public:
+  SampleCounter(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
+                const PictureView& view)
+      : view_(view), tracer_(scene, geometry, options, rays_) {}
+
+  /// The rays that begin with the sample's eye ray.
+  std::uint64_t raysOf(const Sample& sample) {
+    const std::uint64_t before = rays_.total();
+    traceAlone(view_, tracer_, sample);
+    return rays_.total() - before;
+  }
+
+ private:
+  const PictureView view_;
+  RayCounts rays_;
+  const WatchedTracer tracer_;  // tells rays_
+};
 
 /// Adds up, without going round.
 void add(std::uint64_t rays, std::uint32_t& count) {
@@ -41,6 +62,7 @@ void forEachSample(const SampleSource& source, const PixelRectangle& area, const
   }
 }
 
+/// The scale, its stops evenly spaced from no rays to the most of any pixel.
 struct Stop {
   const char* name;
   Vec3f color;
@@ -74,18 +96,11 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
   const SampleSource source = {view, waves, *sampler, options.sampling.tolerance};
   const double samples = options.sampling.samples;  // of a pixel, as far as they can be foretold
   const auto countSome = [&](int, TileQueue& queue) {
-    RayCounts rays;
-    const WatchedTracer watched(scene, geometry, options, rays);
-    const auto countSample = [&](const Sample& sample) {
-      TracedRay eye;
-      view.setEyeRay(sample, eye);
-      Hit hit;
-      const std::uint64_t before = rays.total();
-      watched.traceRay(eye.ray, float(eye.tmin), 0, eye.weight, eye.indexOfRefraction, hit);
-      add(rays.total() - before, counts[picture.index(sample.at)]);
-    };
+    SampleCounter counter(scene, geometry, options, view);
     while (const auto area = queue.take()) {
-      forEachSample(source, *area, countSample);
+      forEachSample(source, *area, [&](const Sample& sample) {
+        add(counter.raysOf(sample), counts[picture.index(sample.at)]);
+      });
       if (listener) listener->tileIsDone(*area, samples * double(area->pixelCount()));
     }
   };
@@ -95,6 +110,7 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
 }
 
 std::string drawHeatmap(const std::vector<std::uint32_t>& counts, Image& picture) {
+  // Relative to the largest count; where all are 0 the picture is black.
   const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const int x = int(k % std::size_t(picture.Width())), y = int(k / std::size_t(picture.Width()));

@@ -166,6 +166,13 @@ double ColorRange::width() const {
   return std::max({widths.r(), widths.g(), widths.b()});
 }
 
+Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample) {
+  TracedRay eye;
+  view.setEyeRay(sample, eye);
+  Hit hit;
+  return tracer.traceRay(eye.ray, float(eye.tmin), 0, eye.weight, eye.indexOfRefraction, hit);
+}
+
 void takeSamples(const SampleSource& source, const PixelRectangle& area,
                  const SampleReceiver& receiver) {
   if (source.sampler.isAdaptive()) return AdaptiveSampling(source, area).takeAll(receiver);

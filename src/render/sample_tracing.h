@@ -22,6 +22,9 @@ struct PictureView {
   }
 };
 
+/// The colour of one sample, its rays traced one after the other: for those who watch the tracer.
+Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample);
+
 /// What samples come of. Nothing is owned.
 struct SampleSource {
   const PictureView& view;

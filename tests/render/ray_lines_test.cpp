@@ -1,5 +1,5 @@
 // Rays as lines of an OBJ file.
-#include "render/ray_lines.h"
+#include "render/pixel_trace.h"
 
 #include "check.h"
 #include "render/watched_tracer.h"

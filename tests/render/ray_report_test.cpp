@@ -1,7 +1,6 @@
 // The tree of rays in words.
-#include "render/ray_report.h"
-
 #include "check.h"
+#include "render/pixel_trace.h"
 #include "render/watched_tracer.h"
 #include "scene_text.h"
 
@@ -18,10 +17,11 @@ std::string reportOf(const std::string& text, const RenderOptions& options = {})
   const SceneNames names(scene, places);
   std::string report;
   const Object3D& geometry = *scene.getGroup();
-  RayReport observer(names, geometry, options, [&](const std::string& line) { report += line; });
+  const auto observer =
+      makeRayReport(names, geometry, options, [&](const std::string& line) { report += line; });
   Ray ray({0, 0, 5}, {0, 0, -1});
   Hit hit;
-  WatchedTracer(scene, geometry, options, observer).traceRay(ray, 0, 0, 1, 1, hit);
+  WatchedTracer(scene, geometry, options, *observer).traceRay(ray, 0, 0, 1, 1, hit);
   for (std::size_t at; (at = report.find(path)) != std::string::npos;) {
     report.replace(at, path.size(), "FILE");
   }
