@@ -19,9 +19,6 @@
 
 namespace {
 
-/// In pixels. Small, as some pixels take a hundred times as long as others.
-constexpr int kTileSide = 16;
-
 /// What one thread counts with.
 class SampleCounter {
  public:

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "image/float_image.h"
+#include "image/image.h"
 #include "render/renderer.h"
 #include "render/sample_tracing.h"
 #include "render/tiles.h"

@@ -23,7 +23,6 @@
 
 namespace {
 
-constexpr int kTileSide = TileStore::kSide;
 static_assert(kTileSide * kTileSide <= kBatchSize, "a tile of central rays is one batch");
 /// Where rays are counted, tiles are small enough for so many threads, however many there are.
 constexpr int kCountedThreads = 16;

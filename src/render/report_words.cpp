@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "geometry/triangle_mesh.h"
-#include "render/material_colors.h"
 
 namespace {
 

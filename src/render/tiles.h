@@ -9,7 +9,12 @@
 
 #include "render/image_plane.h"
 #include "render/render_options.h"
+#include "render/tile_hooks.h"
 #include "system/worker_threads.h"
+
+/// The side of the smallest tiles, in pixels. Small, as some pixels take a hundred times as long as
+/// others, and one batch of rays.
+inline constexpr int kTileSide = TileStore::kSide;
 
 /// A picture of width x height pixels in squares of `side`, those at its right and upper edge
 /// perhaps cut off.
