@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 
 namespace {
 
@@ -16,7 +16,7 @@ bool isFile(const std::string& word) {
 
 /// What may follow the argument, word by word: "file", choices joined by strokes, or "-" where
 /// nothing can be offered. Three dots behind a word say that it may come again.
-std::string offers(const OptionRow& row) {
+std::string offers(const ArgumentRow& row) {
   std::string text, choices = row.choices;
   std::replace(choices.begin(), choices.end(), ' ', '/');
   std::istringstream words(row.words);
@@ -63,7 +63,7 @@ complete -F _raytracer raytracer
 
 std::string completionScript() {
   std::string names, cases;
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     const std::string other = row.otherName ? row.otherName : "";
     names += "  " + std::string(row.name) + (other.empty() ? "" : " " + other) + "\n";
     const std::string offered = offers(row);

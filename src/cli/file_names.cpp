@@ -3,16 +3,9 @@
 
 #include <filesystem>
 
-#include "cli/options.h"
-
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Named {
-  const char* argument;
-  const std::string& file;  // empty where the argument was not given
-};
 
 /// Names for what an output goes to and an input comes from.
 std::string outputPath(const std::string& file) { return file == "-" ? "/dev/stdout" : file; }
@@ -40,13 +33,45 @@ bool isInput(const std::string& input, const std::string& output) {
   return !input.empty() && !output.empty() && sameFile(inputPath(input), outputPath(output));
 }
 
+/// A file of a run and what names it, for messages.
+struct Named {
+  const char* argument;
+  std::string file;
+};
+
+const char* argumentOf(OutputRequest::Kind kind) {
+  switch (kind) {
+    case OutputRequest::Kind::color:
+      return "-output";
+    case OutputRequest::Kind::depth:
+      return "-depth";
+    case OutputRequest::Kind::normals:
+      return "-normals";
+    case OutputRequest::Kind::samples:
+      return "-render_samples";
+    case OutputRequest::Kind::filter:
+      return "-render_filter";
+    case OutputRequest::Kind::materials:
+      return "-materials";
+    case OutputRequest::Kind::heatmap:
+      return "-heatmap";
+    default:
+      return "-pixel_obj";
+  }
+}
+
 /// The argument that prints on standard output, or "" where none does.
-std::string printingArgument(const Options& options) {
-  if (options.stats) return "-stats";
-  if (options.tracesPixel) return "-pixel";
-  if (!options.heatmapOutput.empty()) return "-heatmap";
-  if (!options.materialsOutput.empty()) return "-materials";
-  return options.preview ? "-preview" : "";
+std::string printingArgument(const ResultRequest& results) {
+  if (results.stats) return "-stats";
+  if (results.pixel) return "-pixel";
+  if (results.find(OutputRequest::Kind::heatmap)) return "-heatmap";
+  if (results.find(OutputRequest::Kind::materials)) return "-materials";
+  return results.preview ? "-preview" : "";
+}
+
+[[noreturn]] void refuse(const Named& a, const Named& b) {
+  throw UsageError(std::string(a.argument) + " and " + b.argument +
+                   ": expected different files, found '" + a.file + "' and '" + b.file + "'");
 }
 
 }  // namespace
@@ -56,32 +81,27 @@ bool isSameOutput(const std::string& a, const std::string& b) {
   return (a == "-" && b == "-") || sameFile(outputPath(a), outputPath(b));
 }
 
-void checkFiles(const Options& options, const std::vector<std::string>& meshFiles) {
-  const Named input = {"-input", options.input};
-  const Named outputs[] = {{"-output", options.output},
-                           {"-depth", options.depthOutput},
-                           {"-normals", options.normalsOutput},
-                           {"-render_samples", options.samplesOutput},
-                           {"-render_filter", options.filterOutput},
-                           {"-materials", options.materialsOutput},
-                           {"-heatmap", options.heatmapOutput},
-                           {"-pixel_obj", options.pixelObjOutput},
-                           {"-checkpoint", options.checkpoint}};
-  const auto refuse = [](const Named& a, const Named& b) {
-    throw UsageError(std::string(a.argument) + " and " + b.argument +
-                     ": expected different files, found '" + a.file + "' and '" + b.file + "'");
-  };
-  for (const std::string& part : options.merge.parts) {
-    if (isSameOutput(part, options.merge.output))
-      refuse({"-merge: OUT", options.merge.output}, {"PART", part});
+void checkMergedFiles(const MergeRequest& merge) {
+  for (const std::string& part : merge.parts) {
+    if (isSameOutput(part, merge.output)) refuse({"-merge: OUT", merge.output}, {"PART", part});
   }
-  const std::string printing = printingArgument(options);
+}
+
+void checkFiles(const RenderRequest& render, const std::string& checkpoint,
+                const std::vector<std::string>& meshFiles) {
+  const Named input = {"-input", render.picture.scene};
+  std::vector<Named> outputs;
+  for (const OutputRequest& output : render.results.outputs) {
+    outputs.push_back({argumentOf(output.kind), output.file});
+  }
+  if (!checkpoint.empty()) outputs.push_back({"-checkpoint", checkpoint});
+  const std::string printing = printingArgument(render.results);
   for (const Named& output : outputs) {
     if (isInput(input.file, output.file)) refuse(input, output);
     if (!printing.empty() && isSameOutput(output.file, "-")) {
       throw UsageError(printing + ": expected standard output for its lines, found an image there");
     }
-    for (const Named* other = outputs; other != &output; ++other) {
+    for (const Named* other = outputs.data(); other != &output; ++other) {
       if (isSameOutput(other->file, output.file)) refuse(*other, output);
     }
     for (const std::string& mesh : meshFiles) {

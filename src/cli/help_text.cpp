@@ -1,5 +1,5 @@
 // The texts that are made from the table of arguments.
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 
 namespace {
 
@@ -26,7 +26,7 @@ void appendWrapped(std::string& list, std::size_t column, const std::string& tex
   list += text.substr(start) + "\n";
 }
 
-std::string heading(const OptionRow& row) {
+std::string heading(const ArgumentRow& row) {
   const std::string words = *row.words ? std::string(" ") + row.words : "";
   std::string text = std::string("  -") + row.name + words;
   if (row.otherName) text += std::string(", -") + row.otherName + words;
@@ -37,7 +37,7 @@ std::string heading(const OptionRow& row) {
 
 std::string optionList() {
   std::string list, group;
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     if (group != row.group) list += (group.empty() ? "" : "\n") + std::string(row.group) + ":\n";
     group = row.group;
     const std::string left = heading(row);
@@ -52,7 +52,7 @@ std::string optionList() {
 std::string shortHelp() {
   std::string text =
       "raytracer: renders a scene file to an image, for example\n" + std::string(kCourseCommand);
-  const std::vector<OptionRow>& table = optionTable();
+  const std::vector<ArgumentRow>& table = argumentTable();
   for (auto row = table.begin(); row != table.end();) {
     const std::string group = row->group;
     std::string names;

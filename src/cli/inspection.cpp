@@ -27,52 +27,53 @@ void writeOut(const std::string& text) {
 }
 
 /// The last lines: the pixel's colour, in numbers and in bytes.
-std::string resultOf(const Options& options, const PixelColors& colors) {
+std::string resultOf(const PictureRequest& picture, const Pixel& at, const PixelColors& colors) {
   const Rgb8 bytes = bytesFromColor(colors.pixel);
   const std::string note =
-      options.render.sampling.isPlain()
+      picture.render.sampling.isPlain()
           ? ""
           : "the rays above come of the one through the pixel's centre; the colour of all its "
             "samples, filtered:\n";
-  return note + "color " + textOf(colors.pixel) + "\npixel " + std::to_string(options.pixelX) +
-         " " + std::to_string(options.pixelY) + " = " + std::to_string(bytes.r) + " " +
+  return note + "color " + textOf(colors.pixel) + "\npixel " + std::to_string(at.i) + " " +
+         std::to_string(picture.height - 1 - at.j) + " = " + std::to_string(bytes.r) + " " +
          std::to_string(bytes.g) + " " + std::to_string(bytes.b) + "\n";
 }
 
 }  // namespace
 
-bool wantsInspection(const Options& options) {
-  return options.tracesPixel || !options.heatmapOutput.empty();
+bool wantsInspection(const ResultRequest& results) {
+  return results.pixel || results.find(OutputRequest::Kind::heatmap);
 }
 
-void drawHeatmap(const InspectedScene& inspected, const Options& options, int threads,
-                 std::vector<Output>& outputs) {
+void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,
+                 const RunRequest& run, std::vector<Output>& outputs) {
   Output* const heat = find(outputs, Output::Kind::heatmap);
   if (!heat) return;
-  RunDisplay display(options, RenderTargets());
+  RunDisplay display(false, run.progress, RenderTargets());
   const std::vector<std::uint32_t> counts =
-      countRays(inspected.scene, inspected.geometry, options.render, threads, options.width,
-                options.height, display.isWanted() ? &display : nullptr);
+      countRays(inspected.scene, inspected.geometry, picture.render, run.threads, picture.width,
+                picture.height, display.isWanted() ? &display : nullptr);
   display.finish();
   heat->text = drawHeatmap(counts, heat->image);
 }
 
-std::string inspectPixel(const InspectedScene& inspected, const Options& options,
+std::string inspectPixel(const InspectedScene& inspected, const RenderRequest& render,
                          std::vector<Output>& outputs) {
-  if (!options.tracesPixel) return "";
+  if (!render.results.pixel) return "";
+  const PictureRequest& picture = render.picture;
+  const Pixel at = *render.results.pixel;
   Output* const obj = find(outputs, Output::Kind::rays);
   const SceneNames names(inspected.scene, inspected.places);
-  RayReport report(names, inspected.geometry, options.render, writeOut);
+  RayReport report(names, inspected.geometry, picture.render, writeOut);
   const double span = inspected.scene.getSpan();
-  RayLines lines(inspected.geometry, options.render, span > 0 ? span : kEscapeLength);
+  RayLines lines(inspected.geometry, picture.render, span > 0 ? span : kEscapeLength);
   std::vector<RayObserver*> observers = {&report};
   if (obj) observers.push_back(&lines);
-  const PixelOfPicture place = {options.width, options.height, options.pixelX,
-                                options.height - 1 - options.pixelY};
+  const PixelOfPicture place = {picture.width, picture.height, at.i, at.j};
   const PixelColors colors =
-      tracePixel(inspected.scene, inspected.geometry, options.render, place, observers);
+      tracePixel(inspected.scene, inspected.geometry, picture.render, place, observers);
   if (obj) obj->text = lines.obj();
-  return resultOf(options, colors);
+  return resultOf(picture, at, colors);
 }
 
 std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs) {
@@ -82,15 +83,4 @@ std::string legendOf(const SceneParser& scene, const std::vector<Output>& output
     if (output.kind == Output::Kind::heatmap) text += output.text;
   }
   return text;
-}
-
-void checkPixel(const Options& options) {
-  if (!options.tracesPixel && !options.pixelObjOutput.empty()) {
-    throw UsageError("-pixel_obj: expected a pixel to trace, for example -pixel 50 50, found none");
-  }
-  if (!options.tracesPixel) return;
-  if (options.pixelX < options.width && options.pixelY < options.height) return;
-  throw UsageError("-pixel: expected X below " + std::to_string(options.width) + " and Y below " +
-                   std::to_string(options.height) + ", the size of the image, found '" +
-                   std::to_string(options.pixelX) + " " + std::to_string(options.pixelY) + "'");
 }

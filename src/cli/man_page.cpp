@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 
 namespace {
 
@@ -30,12 +30,12 @@ std::string escaped(const std::string& text) {
 std::string section(const std::string& name) { return ".SH " + name + "\n"; }
 
 /// An argument in bold and its words in italics.
-std::string spelling(const char* name, const OptionRow& row) {
+std::string spelling(const char* name, const ArgumentRow& row) {
   const std::string words = *row.words ? " \\fI" + escaped(row.words) + "\\fR" : "";
   return "\\fB\\-" + escaped(name) + "\\fR" + words;
 }
 
-std::string entry(const OptionRow& row) {
+std::string entry(const ArgumentRow& row) {
   std::string text = ".TP\n" + spelling(row.name, row);
   if (row.otherName) text += ", " + spelling(row.otherName, row);
   text += "\n" + escaped(row.help);
@@ -45,7 +45,7 @@ std::string entry(const OptionRow& row) {
 
 std::string entries() {
   std::string text, group;
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     if (group != row.group) text += ".SS " + escaped(row.group) + "\n";
     group = row.group;
     text += entry(row);

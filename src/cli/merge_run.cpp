@@ -123,7 +123,7 @@ void write(const std::vector<PartFile>& parts, const std::string& path) {
 
 }  // namespace
 
-int runMerge(const MergeOptions& options) {
+int runMerge(const MergeRequest& options) {
   checkOutput(options.output);
   std::vector<std::string> mistakes;
   std::vector<PartFile> parts = readParts(options.parts, mistakes);

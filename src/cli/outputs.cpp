@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "cli/messages.h"
-#include "cli/part_arguments.h"
 #include "image/netpbm.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
@@ -46,20 +45,8 @@ void write(const Output& output, int threads) {
 
 }  // namespace
 
-std::vector<Output> wantedOutputs(const Options& options) {
-  std::vector<Output> outputs;
-  const auto add = [&](Output::Kind kind, const std::string& file) {
-    if (!file.empty()) outputs.push_back({kind, file, Image(), TgaPlace(), FloatImage(), "", true});
-  };
-  add(Output::Kind::color, options.output);
-  add(Output::Kind::depth, options.depthOutput);
-  add(Output::Kind::normals, options.normalsOutput);
-  add(Output::Kind::samples, options.samplesOutput);
-  add(Output::Kind::filter, options.filterOutput);
-  add(Output::Kind::materials, options.materialsOutput);
-  add(Output::Kind::heatmap, options.heatmapOutput);
-  add(Output::Kind::rays, options.pixelObjOutput);
-  return outputs;
+std::vector<Output> outputsOf(const ResultRequest& results) {
+  return {results.outputs.begin(), results.outputs.end()};
 }
 
 std::size_t markUnwritable(std::vector<Output>& outputs) {
@@ -71,15 +58,14 @@ std::size_t markUnwritable(std::vector<Output>& outputs) {
   return writable;
 }
 
-void makeImages(std::vector<Output>& outputs, const Options& options) {
+void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
+  const PixelRectangle& area = picture.area;
   for (Output& output : outputs) {
     if (output.kind == Output::Kind::filter) {
-      const auto filter = makeFilter(options.render.sampling);
-      output.image = drawFilter(*filter, options.width, options.height, options.filterZoom);
+      const auto filter = makeFilter(picture.render.sampling);
+      output.image = drawFilter(*filter, picture.width, picture.height, output.zoom);
     } else if (output.kind != Output::Kind::rays) {
-      const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
-      const PixelRectangle area = renderedArea(options);
-      output.image = Image(area.width() * zoom, area.height() * zoom);
+      output.image = Image(area.width() * output.zoom, area.height() * output.zoom);
       if (wantsFloats(output)) output.exact = FloatImage(area.width(), area.height());
     }
   }

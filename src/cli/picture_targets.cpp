@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "cli/part_arguments.h"
-
 namespace {
 
 FloatImage* exactOf(Output& output) { return output.exact.Width() > 0 ? &output.exact : nullptr; }
@@ -19,12 +17,17 @@ void setTarget(Output& output, RenderTargets& targets) {
   if (output.kind == Output::Kind::depth) {
     targets.depth = &output.image;
     targets.exactDepth = exactOf(output);
+    targets.depthMin = output.depthMin;
+    targets.depthMax = output.depthMax;
   }
   if (output.kind == Output::Kind::normals) {
     targets.normals = &output.image;
     targets.exactNormals = exactOf(output);
   }
-  if (output.kind == Output::Kind::samples) targets.samples = &output.image;
+  if (output.kind == Output::Kind::samples) {
+    targets.samples = &output.image;
+    targets.samplesZoom = output.zoom;
+  }
   if (output.kind == Output::Kind::materials) targets.materials = &output.image;
 }
 
@@ -34,19 +37,18 @@ bool wantsRays(const RenderTargets& targets) {
   return targets.color || targets.depth || targets.normals || targets.samples || targets.materials;
 }
 
-RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten) {
-  const PixelRectangle area = renderedArea(options);
+RenderTargets targetsOf(const RenderRequest& render, std::vector<Output>& outputs,
+                        Image& unwritten) {
+  const PictureRequest& picture = render.picture;
   RenderTargets targets;
-  targets.window = {area.left, area.bottom, options.width, options.height};
+  targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
   for (Output& output : outputs) {
     setTarget(output, targets);
   }
-  targets.depthMin = options.depthMin;
-  targets.depthMax = options.depthMax;
-  targets.samplesZoom = options.samplesZoom;
   const bool isEmpty = std::none_of(outputs.begin(), outputs.end(), isPicture);
-  if (!wantsRays(targets) && (options.stats || (options.preview && isEmpty))) {
-    unwritten = Image(area.width(), area.height());
+  const ResultRequest& results = render.results;
+  if (!wantsRays(targets) && (results.stats || (results.preview && isEmpty))) {
+    unwritten = Image(picture.area.width(), picture.area.height());
     targets.color = &unwritten;
   }
   return targets;

@@ -2,14 +2,15 @@
 #pragma once
 #include <vector>
 
-#include "cli/options.h"
 #include "cli/outputs.h"
+#include "cli/request.h"
 #include "render/renderer.h"
 
 /// Where the pictures go that the renderer fills. Where there is none and -stats needs one, or
 /// -preview has nothing else to show, it is `unwritten`, which then gets an image of its size. What
 /// is returned points into both.
-RenderTargets targetsOf(const Options& options, std::vector<Output>& outputs, Image& unwritten);
+RenderTargets targetsOf(const RenderRequest& render, std::vector<Output>& outputs,
+                        Image& unwritten);
 
 /// False where the renderer has nothing to do.
 bool wantsRays(const RenderTargets& targets);

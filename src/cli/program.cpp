@@ -5,9 +5,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "cli/arguments.h"
 #include "cli/compare_run.h"
+#include "cli/file_names.h"
 #include "cli/merge_run.h"
-#include "cli/option_table.h"
 #include "cli/out_of_memory.h"
 #include "cli/render_run.h"
 #include "cli/scene_input.h"
@@ -20,33 +21,45 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-int runHere(const Options& options) {
-  if (options.shortHelp) return print(shortHelp());
-  if (options.help) return print(fullHelp());
-  if (options.version) return print(versionText() + "\n");
-  if (options.man) return print(manPage());
-  if (options.completion) return print(completionScript());
-  if (options.check) return checkScene(options);
-  if (options.compare.isWanted()) return runComparison(options);
-  checkFiles(options);
-  if (options.merge.isWanted()) {
-    return withMemory("to merge", [&] { return runMerge(options.merge); });
+int printText(ProgramText text) {
+  switch (text) {
+    case ProgramText::shortHelp:
+      return print(shortHelp());
+    case ProgramText::help:
+      return print(fullHelp());
+    case ProgramText::version:
+      return print(versionText() + "\n");
+    case ProgramText::man:
+      return print(manPage());
+    default:
+      return print(completionScript());
   }
-  return renderScene(options);
 }
 
-int runOnOwnStack(const Options& options) {
+int runHere(const Request& request) {
+  if (request.text != ProgramText::none) return printText(request.text);
+  if (request.check) return checkScene(request.render.picture.scene, request.run.quiet);
+  if (request.compare.isWanted()) return runComparison(request.compare, request.run);
+  if (request.merge.isWanted()) {
+    checkMergedFiles(request.merge);
+    return withMemory("to merge", [&] { return runMerge(request.merge); });
+  }
+  checkFiles(request.render, request.run.checkpoint);
+  return renderScene(request.render, request.run);
+}
+
+int runOnOwnStack(const Request& request) {
   int status = kDone;
-  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
+  runOnThreads(1, kRunStack, [&](int) { status = runHere(request); });
   return status;
 }
 
 /// Names the limit where it is what ended the run.
-int runWithin(int megabytes, const Options& options) {
+int runWithin(int megabytes, const Request& request) {
   const std::string limit = "-memory_limit " + std::to_string(megabytes) + ": ";
   limitMemory(std::size_t(megabytes) << 20);
   try {
-    return runOnOwnStack(options);
+    return runOnOwnStack(request);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(limit + "not enough memory");
   } catch (const OutOfMemory& error) {
@@ -58,6 +71,8 @@ int runWithin(int megabytes, const Options& options) {
 
 }  // namespace
 
-int runProgram(const Options& options) {
-  return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
+int runProgram(const std::vector<std::string>& words) {
+  const Request request = parseRequest(words);
+  const int limit = request.run.memoryLimit;
+  return limit > 0 ? runWithin(limit, request) : runOnOwnStack(request);
 }

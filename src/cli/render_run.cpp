@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "cli/checkpoint.h"
+#include "cli/file_names.h"
 #include "cli/fingerprint.h"
 #include "cli/inspection.h"
 #include "cli/messages.h"
 #include "cli/out_of_memory.h"
-#include "cli/part_arguments.h"
 #include "cli/part_id.h"
 #include "cli/picture_targets.h"
 #include "cli/run_display.h"
@@ -22,15 +22,6 @@
 
 namespace {
 
-/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
-int threadCount(const Options& options) {
-  constexpr int kMegabytesEach = 8;
-  const int wanted =
-      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
-  if (options.memoryLimit == 0) return wanted;
-  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
-}
-
 /// What one thread counts, apart from the others' in memory.
 struct alignas(128) ThreadCounts {
   RayCounts rays;
@@ -39,17 +30,17 @@ struct alignas(128) ThreadCounts {
 };
 
 /// Renders, and enters in `stats` what the threads have counted.
-void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, const Options& options,
-                   const RenderTargets& targets, Stats& stats) {
+void renderCounted(const SceneParser& scene, const SceneGeometry& geometry,
+                   const PictureRequest& picture, const RenderTargets& targets, Stats& stats) {
   std::vector<ThreadCounts> counts(std::size_t(stats.threads));
   std::vector<WorkerView> views;
   for (ThreadCounts& each : counts) {
     each.geometry = geometry.counting(each.tests);
     views.push_back({each.geometry ? each.geometry.get() : &geometry.object(), &each.rays});
   }
-  render(scene, geometry.object(), options.render, stats.threads, targets, views);
-  stats.pixels = double(renderedArea(options).pixelCount());
-  stats.countsTests = options.gridPicture == Options::GridPicture::none;
+  render(scene, geometry.object(), picture.render, stats.threads, targets, views);
+  stats.pixels = double(picture.area.pixelCount());
+  stats.countsTests = picture.acceleration.cellPicture == Acceleration::CellPicture::none;
   stats.tests = geometry.tallied();
   for (const ThreadCounts& each : counts) {
     stats.rays.add(each.rays);
@@ -60,18 +51,19 @@ void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, cons
 /// Builds what answers for the scene's objects, then traces; enters both in `stats`. At last
 /// `inspectAll(geometry)` is called.
 template <class InspectAll>
-void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
+void renderAll(const SceneParser& scene, const RenderRequest& request, const RenderTargets& targets,
                Stats& stats, const InspectAll& inspectAll) {
-  stats.threads = threadCount(options);
+  const PictureRequest& picture = request.picture;
   Stopwatch watch;
-  const SceneGeometry geometry(*scene.getGroup(), options, stats.threads);
+  const SceneGeometry geometry(*scene.getGroup(), picture.acceleration, stats.threads,
+                               request.results.stats);
   stats.simd = geometry.simd();
   stats.tree = geometry.description();
   stats.buildSeconds = watch.restart();
-  if (options.stats) {
-    renderCounted(scene, geometry, options, targets, stats);
+  if (request.results.stats) {
+    renderCounted(scene, geometry, picture, targets, stats);
   } else if (wantsRays(targets)) {
-    render(scene, geometry.object(), options.render, stats.threads, targets);
+    render(scene, geometry.object(), picture.render, stats.threads, targets);
   }
   stats.traceSeconds = watch.restart();
   inspectAll(geometry.object());
@@ -92,91 +84,93 @@ void dropUnwritable(std::vector<Output>& outputs) {
 }
 
 /// Tells the outputs, where they are parts, which picture they belong to.
-void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Options& options,
-               std::vector<Output>& outputs) {
-  if (!options.part.isWanted()) return;
-  const PixelRectangle area = renderedArea(options);
+void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const RenderRequest& request,
+               int threads, std::vector<Output>& outputs) {
+  const PictureRequest& picture = request.picture;
+  if (!picture.isPart) return;
   for (Output& output : outputs) {
-    const PartId id =
-        partIdOf(output.kind, options, sceneDigest, scene.getMeshFiles(), threadCount(options));
-    output.place = {area.left, options.height - area.top, textOf(id)};
+    const PartId id = partIdOf(output, request, sceneDigest, scene.getMeshFiles(), threads);
+    output.place = {picture.area.left, picture.height - picture.area.top, textOf(id)};
   }
 }
 
 /// Gives every output its picture; where -stats or -preview wants rays and no output does, traces
 /// all the same. Where a checkpoint is wanted, `scene` is what notes.digest is of, and the
 /// checkpoint is returned.
-Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const Options& options,
+Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes,
+                       const RenderRequest& request, const RunRequest& run,
                        std::vector<Output>& outputs, Stats& stats) {
-  const PixelRectangle area = renderedArea(options);
-  const std::string size =
-      std::to_string(area.width()) + " x " + std::to_string(area.height()) + " pixels";
+  const PictureRequest& picture = request.picture;
+  const bool preview = request.results.preview;
+  const std::string size = std::to_string(picture.area.width()) + " x " +
+                           std::to_string(picture.area.height()) + " pixels";
   Image unwritten;
   std::optional<MaterialColors> materialColors;
   RenderTargets targets = withMemory("for images of " + size, [&] {
-    makeImages(outputs, options);
-    return targetsOf(options, outputs, unwritten);
+    makeImages(outputs, picture);
+    return targetsOf(request, outputs, unwritten);
   });
   if (targets.materials) targets.materialColors = &materialColors.emplace(scene);
   Rendered rendered;
   const bool isTraced = wantsRays(targets);
-  if (isTraced && !options.checkpoint.empty()) {
-    const Digest picture =
-        pictureFingerprint(options, notes.digest, scene.getMeshFiles(), threadCount(options));
-    rendered.checkpoint = openCheckpoint(options.checkpoint, picture, targets, options.quiet);
+  if (isTraced && !run.checkpoint.empty()) {
+    const Digest fingerprint = pictureFingerprint(request.results.outputs, request.given,
+                                                  notes.digest, scene.getMeshFiles(), run.threads);
+    rendered.checkpoint = openCheckpoint(run.checkpoint, fingerprint, targets, run.quiet);
     targets.store = rendered.checkpoint.get();
   }
-  RunDisplay display(options, targets);
+  RunDisplay display(preview, run.progress, targets);
   if (display.isWanted()) targets.listener = &display;
+  stats.threads = run.threads;
   const auto inspectAll = [&](const Object3D& geometry) {
     display.finish();
     rendered.status = print(display.lastPicture());
     const InspectedScene inspected = {scene, notes.places, geometry};
-    drawHeatmap(inspected, options, stats.threads, outputs);
-    rendered.lastLines = inspectPixel(inspected, options, outputs);
+    drawHeatmap(inspected, picture, run, outputs);
+    rendered.lastLines = inspectPixel(inspected, request, outputs);
   };
-  if (isTraced || wantsInspection(options)) {
-    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
+  if (isTraced || wantsInspection(request.results)) {
+    withMemory("to render " + size, [&] { renderAll(scene, request, targets, stats, inspectAll); });
   }
   if (rendered.checkpoint) rendered.checkpoint->stop();
   const Image* const untraced = isTraced ? nullptr : untracedPicture(outputs);
-  if (options.preview && untraced) rendered.status = print(pictureText(*untraced));
+  if (preview && untraced) rendered.status = print(pictureText(*untraced));
   return rendered;
 }
 
 }  // namespace
 
-std::vector<Output> renderPictures(const Options& options) {
+std::vector<Output> renderPictures(const RenderRequest& request, const RunRequest& run) {
   Stats stats;
   ReadNotes notes;
-  SceneParser scene = readScene(options, notes);
-  prepareScene(scene, options);
-  std::vector<Output> outputs = wantedOutputs(options);
-  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
+  SceneParser scene = readScene(request, run, notes);
+  prepareScene(scene, request.picture, run.quiet);
+  std::vector<Output> outputs = outputsOf(request.results);
+  const Rendered rendered = renderOutputs(scene, notes, request, run, outputs, stats);
   if (rendered.checkpoint) rendered.checkpoint->remove();
   return outputs;
 }
 
-int renderScene(const Options& options) {
+int renderScene(const RenderRequest& request, const RunRequest& run) {
   Stats stats;
   Stopwatch watch;
   ReadNotes notes;
-  SceneParser scene = readScene(options, notes);
-  checkFiles(options, scene.getMeshFiles());
-  prepareScene(scene, options);
+  SceneParser scene = readScene(request, run, notes);
+  checkFiles(request, run.checkpoint, scene.getMeshFiles());
+  prepareScene(scene, request.picture, run.quiet);
   stats.readSeconds = watch.restart();
 
-  std::vector<Output> outputs = wantedOutputs(options);
+  std::vector<Output> outputs = outputsOf(request.results);
   const std::size_t wanted = outputs.size();
   if (markUnwritable(outputs) == 0 && wanted > 0) return kOutputFailed;
-  if (options.checkpoint.empty()) dropUnwritable(outputs);
-  setPlaces(scene, notes.digest, options, outputs);
-  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
+  if (run.checkpoint.empty()) dropUnwritable(outputs);
+  setPlaces(scene, notes.digest, request, run.threads, outputs);
+  const Rendered rendered = renderOutputs(scene, notes, request, run, outputs, stats);
   watch.restart();
-  const std::size_t written = writeAll(outputs, threadCount(options));
+  const std::size_t written = writeAll(outputs, run.threads);
   if (rendered.checkpoint && written == wanted) rendered.checkpoint->remove();
   stats.writeSeconds = watch.restart();
-  const std::string statsText = options.stats ? stats.text() : "";
+  const std::string statsText = request.results.stats ? stats.text() : "";
   const int printed = print(legendOf(scene, outputs) + statsText + rendered.lastLines);
   return written == wanted ? std::max(printed, rendered.status) : kOutputFailed;
 }

@@ -12,9 +12,9 @@ namespace {
 /// Seconds between two updates: never more than ten in a second, the last one included.
 constexpr double kPause = 0.125;
 
-bool wantsProgress(const Options& options) {
-  if (options.progress == Options::Progress::automatic) return isatty(STDERR_FILENO) == 1;
-  return options.progress == Options::Progress::on;
+bool wantsProgress(RunRequest::Progress progress) {
+  if (progress == RunRequest::Progress::automatic) return isatty(STDERR_FILENO) == 1;
+  return progress == RunRequest::Progress::on;
 }
 
 const Image* shownOf(const RenderTargets& targets) {
@@ -25,9 +25,9 @@ const Image* shownOf(const RenderTargets& targets) {
 
 }  // namespace
 
-RunDisplay::RunDisplay(const Options& options, const RenderTargets& targets)
-    : showsProgress_(wantsProgress(options)),
-      image_(options.preview ? shownOf(targets) : nullptr),
+RunDisplay::RunDisplay(bool preview, RunRequest::Progress progress, const RenderTargets& targets)
+    : showsProgress_(wantsProgress(progress)),
+      image_(preview ? shownOf(targets) : nullptr),
       isPictureLive_(image_ && isatty(STDOUT_FILENO) == 1),
       line_(showsProgress_) {
   if (!image_) return;

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <optional>
 
-#include "cli/options.h"
 #include "cli/progress_line.h"
+#include "cli/request.h"
 #include "cli/stats.h"
 #include "cli/terminal_picture.h"
 #include "render/renderer.h"
@@ -13,9 +13,10 @@
 
 class RunDisplay : public TileListener {
  public:
-  /// Shows one of the pictures in `targets`: the colours where they are wanted, else normals,
-  /// depth, materials or samples; none where there are none. The images are not owned.
-  RunDisplay(const Options& options, const RenderTargets& targets);
+  /// Where `preview`, shows one of the pictures in `targets`: the colours where they are wanted,
+  /// else normals, depth, materials or samples; none where there are none. The images are not
+  /// owned.
+  RunDisplay(bool preview, RunRequest::Progress progress, const RenderTargets& targets);
 
   /// False where nobody would see anything.
   bool isWanted() const { return showsProgress_ || picture_; }

@@ -21,16 +21,17 @@ PhongMaterial paintOf(const Vec3f& color) { return {color, {}, 1, {}, {}, 1}; }
 
 }  // namespace
 
-SceneGeometry::SceneGeometry(const Object3D& root, const Options& options, int threads)
+SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads,
+                             bool counts)
     : object_(&root) {
-  if (options.accel == Options::Accel::fast) {
-    object_ = &compiled_.emplace(root, threads, options.simd, options.stats ? &tally_ : nullptr);
-    simd_ = nameOf(availableSimd(options.simd));
+  if (wanted.kind == Acceleration::Kind::fast) {
+    object_ = &compiled_.emplace(root, threads, wanted.simd, counts ? &tally_ : nullptr);
+    simd_ = nameOf(availableSimd(wanted.simd));
     description_ = compiled_->describe();
-  } else if (options.gridPicture != Options::GridPicture::none) {
-    makeView(root, options);
-  } else if (options.accel == Options::Accel::grid) {
-    object_ = &grid_.emplace(root, options.gridSize);
+  } else if (wanted.cellPicture != Acceleration::CellPicture::none) {
+    makeView(root, wanted);
+  } else if (wanted.kind == Acceleration::Kind::grid) {
+    object_ = &grid_.emplace(root, wanted.gridSize);
     description_ = grid_->describe();
   }
 }
@@ -41,15 +42,15 @@ std::unique_ptr<const Object3D> SceneGeometry::counting(RayTestCounts& counts) c
   return std::make_unique<CountingTree>(*object_, counts);
 }
 
-void SceneGeometry::makeView(const Object3D& root, const Options& options) {
+void SceneGeometry::makeView(const Object3D& root, const Acceleration& wanted) {
   for (const CountColor& each : kCountColors) palette_.push_back(paintOf(each.color));
   std::vector<const Material*> paints;
-  if (options.gridPicture == Options::GridPicture::cells) {
+  if (wanted.cellPicture == Acceleration::CellPicture::occupied) {
     paints.push_back(&palette_.front());
   } else {
     for (std::size_t i = 0; i < palette_.size(); ++i)
       paints.resize(kCountColors[i].most, &palette_[i]);
   }
-  object_ = &view_.emplace(root, options.gridSize, std::move(paints));
+  object_ = &view_.emplace(root, wanted.gridSize, std::move(paints));
   description_ = "cells of a grid";
 }

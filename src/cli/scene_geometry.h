@@ -10,14 +10,14 @@
 #include "accel/grid_view.h"
 #include "accel/test_counts.h"
 #include "accel/test_tally.h"
-#include "cli/options.h"
+#include "cli/request.h"
 #include "shading/phong_material.h"
 
 class SceneGeometry {
  public:
-  /// Builds what `options` ask for with `threads` >= 1 threads. `root`, the scene's group, is not
-  /// owned.
-  SceneGeometry(const Object3D& root, const Options& options, int threads);
+  /// Builds what is wanted with `threads` >= 1 threads; where `counts`, a compiled scene counts
+  /// what its answers take. `root`, the scene's group, is not owned.
+  SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads, bool counts);
   SceneGeometry(const SceneGeometry&) = delete;
   SceneGeometry& operator=(const SceneGeometry&) = delete;
 
@@ -25,7 +25,7 @@ class SceneGeometry {
   /// object() in a form that adds to `counts` what each answer takes, for one thread; null where
   /// there is none. Neither this nor `counts` is owned.
   std::unique_ptr<const Object3D> counting(RayTestCounts& counts) const;
-  /// What object() itself has counted: with Options::stats, where it is a compiled scene.
+  /// What object() itself has counted: a compiled scene, where it is to count.
   RayTestCounts tallied() const { return tally_.total(); }
   /// The instruction set in use, "none" where there is no choice of one.
   const std::string& simd() const { return simd_; }
@@ -33,7 +33,7 @@ class SceneGeometry {
   const std::string& description() const { return description_; }
 
  private:
-  void makeView(const Object3D& root, const Options& options);
+  void makeView(const Object3D& root, const Acceleration& wanted);
 
   TestTally tally_;
   std::optional<CompiledScene> compiled_;
