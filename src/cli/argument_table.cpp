@@ -10,7 +10,7 @@ namespace {
 
 using Words = const ArgumentWords&;
 using Mode = ArgumentRow::Mode;
-using Output = OutputRequest::Kind;
+using Kind = OutputRequest::Kind;
 using Pattern = SamplingOptions::Pattern;
 using FilterKind = SamplingOptions::FilterKind;
 
@@ -41,14 +41,14 @@ void want(Draft& draft, const OutputRequest& output) {
   }
 }
 
-template <Output kind>
+template <Kind kind>
 void wantPicture(Words words, Draft& draft) {
   want(draft, {kind, words.file(0)});
 }
 
-template <Output kind>
+template <Kind kind>
 void wantEnlarged(Words words, Draft& draft) {
-  const int zoom = words.wholeNumber(1, 1, kMaxImageSide);
+  const int zoom = words.integer(1, 1, kMaxImageSide);
   want(draft, {kind, words.file(0), 0, 0, zoom});
 }
 
@@ -59,7 +59,7 @@ void wantDepth(Words words, Draft& draft) {
   const double depthMin = words.anyNumber(first, std::string("MIN") + kOrders);
   const double depthMax = words.anyNumber(first + 1, std::string("MAX") + kOrders);
   if (depthMin == depthMax) words.fail(first, "MIN and MAX to differ");
-  want(draft, {Output::depth, words.file(first == 0 ? 2 : 0), depthMin, depthMax});
+  want(draft, {Kind::depth, words.file(first == 0 ? 2 : 0), depthMin, depthMax});
 }
 
 void setEpsilon(Words words, Draft& draft) {
@@ -68,7 +68,7 @@ void setEpsilon(Words words, Draft& draft) {
   if (words[0] == "adaptive") {
     epsilon.kind = Epsilon::Kind::adaptive;
   } else if (words[0] != "course") {
-    epsilon.value = words.positiveNumber(0, ", course or adaptive");
+    epsilon.value = words.atLeastZero<double>(0, ", course or adaptive");
   }
 }
 
@@ -76,39 +76,39 @@ void setEpsilon(Words words, Draft& draft) {
 template <Pattern pattern>
 void setPattern(Words words, Draft& draft) {
   SamplingOptions& sampling = optionsOf(draft).sampling;
-  sampling.samples = words.wholeNumber(0, 1, SamplingOptions::kMaxSamples);
+  sampling.samples = words.integer(0, 1, SamplingOptions::kMaxSamples);
   sampling.pattern = pattern;
 }
 
 void setAdaptive(Words words, Draft& draft) {
   SamplingOptions& sampling = optionsOf(draft).sampling;
-  const int first = words.wholeNumber(0, 1, SamplingOptions::kMaxFirstSamples);
-  sampling.maxSamples = words.wholeNumber(1, first, SamplingOptions::kMaxSamples);
+  const int first = words.integer(0, 1, SamplingOptions::kMaxFirstSamples);
+  sampling.maxSamples = words.integer(1, first, SamplingOptions::kMaxSamples);
   sampling.tolerance = words.number(2, 0, 1, "a number from 0 to 1 for TOLERANCE");
   sampling.samples = first;
   sampling.pattern = Pattern::adaptive;
 }
 
 /// Of several filters the last one counts. A gaussian reaches twice its sigma.
-template <FilterKind kind>
+template <FilterKind filter>
 void setFilter(Words words, Draft& draft) {
-  constexpr int kMost = SamplingOptions::kMaxReach / (kind == FilterKind::gaussian ? 2 : 1);
+  constexpr int kMost = SamplingOptions::kMaxReach / (filter == FilterKind::gaussian ? 2 : 1);
   SamplingOptions& sampling = optionsOf(draft).sampling;
   sampling.filterSize =
       words.number(0, std::numeric_limits<double>::min(), kMost,
                    "a number of pixels above 0 and up to " + std::to_string(kMost));
-  sampling.filter = kind;
+  sampling.filter = filter;
 }
 
 void setRegion(Words words, Draft& draft) {
   constexpr int kMost = kMaxImageSide;
-  draft.region = {words.wholeNumber(0, 0, kMost - 1), words.wholeNumber(1, 0, kMost - 1),
-                  words.wholeNumber(2, 1, kMost), words.wholeNumber(3, 1, kMost)};
+  draft.region = {words.integer(0, 0, kMost - 1), words.integer(1, 0, kMost - 1),
+                  words.integer(2, 1, kMost), words.integer(3, 1, kMost)};
 }
 
 void setBand(Words words, Draft& draft) {
-  const int count = words.wholeNumber(1, 1, kMaxImageSide);
-  draft.band = {words.wholeNumber(0, 1, count), count};
+  const int count = words.integer(1, 1, kMaxImageSide);
+  draft.band = {words.integer(0, 1, count), count};
 }
 
 void setMerge(Words words, Draft& draft) {
@@ -121,7 +121,7 @@ void setGrid(Words words, Draft& draft) {
   Acceleration& acceleration = draft.render.picture.acceleration;
   int cells = 1;  // stays below 2^30
   for (int axis = 0; axis < 3; ++axis) {
-    acceleration.gridSize[axis] = words.wholeNumber(std::size_t(axis), 1, kMaxGridSide);
+    acceleration.gridSize[axis] = words.integer(std::size_t(axis), 1, kMaxGridSide);
     cells *= acceleration.gridSize[axis];
   }
   if (cells > kMaxGridCells) {
@@ -129,6 +129,11 @@ void setGrid(Words words, Draft& draft) {
                      " cells in all, found " + std::to_string(cells));
   }
   acceleration.kind = Acceleration::Kind::grid;
+}
+
+template <Acceleration::CellPicture cells>
+void drawCells(Words, Draft& draft) {
+  draft.render.picture.acceleration.cellPicture = cells;
 }
 
 void setSimd(Words words, Draft& draft) {
@@ -160,43 +165,43 @@ constexpr ArgumentRow kRows[] = {
      "scene to read (needed but for -compare and -merge); - is standard input",
      [](Words words, Draft& draft) { draft.render.picture.scene = words.file(0); }},
 
-    {kPictures, "output", nullptr, "FILE", nullptr,
-     "image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is "
-     "missing or unknown; so it does for the other images; - is standard output, for one image "
-     "of a run",
-     wantPicture<Output::color>},
+    {kPictures, "output", nullptr, "FILE", nullptr, R"(
+     image to write; the ending picks the format: .tga, .png, .ppm or .pfm, and TGA where it is
+     missing or unknown; so it does for the other images; - is standard output, for one image of a
+     run)",
+     wantPicture<Kind::color>},
     {kPictures, "size", nullptr, "W H", "100 100", "image size, 1 to 65535 pixels each",
      [](Words words, Draft& draft) {
-       draft.render.picture.width = words.wholeNumber(0, 1, kMaxImageSide);
-       draft.render.picture.height = words.wholeNumber(1, 1, kMaxImageSide);
+       draft.render.picture.width = words.integer(0, 1, kMaxImageSide);
+       draft.render.picture.height = words.integer(1, 1, kMaxImageSide);
      }},
-    {kPictures, "depth", nullptr, "MIN MAX FILE", nullptr,
-     "write the depth image, white at distance MIN and black at MAX; FILE MIN MAX, where FILE "
-     "does not look like a number, means the same",
+    {kPictures, "depth", nullptr, "MIN MAX FILE", nullptr, R"(
+     write the depth image, white at distance MIN and black at MAX; FILE MIN MAX, where FILE does
+     not look like a number, means the same)",
      wantDepth},
     {kPictures, "normals", "normal", "FILE", nullptr,
      "write the normal image: red, green, blue are |x|, |y|, |z| of the surface normal",
-     wantPicture<Output::normals>},
+     wantPicture<Kind::normals>},
     {kPictures, "materials", nullptr, "FILE", nullptr,
      "write a picture with a colour for each material, and print which is which",
-     wantPicture<Output::materials>},
+     wantPicture<Kind::materials>},
     {kPictures, "heatmap", nullptr, "FILE", nullptr,
      "write a picture of how many rays each pixel takes, and print its scale",
-     wantPicture<Output::heatmap>},
+     wantPicture<Kind::heatmap>},
 
     {kTracing, "bounces", nullptr, "N", "5",
      "the most mirror or refracted rays in a row, 0 (none) to 10000",
      [](Words words, Draft& draft) {
-       optionsOf(draft).maxBounces = words.wholeNumber(0, 0, kMaxBounces);
+       optionsOf(draft).maxBounces = words.integer(0, 0, kMaxBounces);
      }},
-    {kTracing, "weight", nullptr, "W", "0.01",
-     "mirror and refracted rays whose part in the pixel would be below W are not traced; W is at "
-     "least 0",
-     [](Words words, Draft& draft) { optionsOf(draft).minWeight = words.positiveFloat(0); }},
-    {kTracing, "epsilon", nullptr, "E", nullptr,
-     "how far from its origin a secondary or shadow ray starts looking: a number of at least 0; "
-     "course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: "
-     "course where the bounded objects together span 1 to 1000 units, else adaptive)",
+    {kTracing, "weight", nullptr, "W", "0.01", R"(
+     mirror and refracted rays whose part in the pixel would be below W are not traced; W is at
+     least 0)",
+     [](Words words, Draft& draft) { optionsOf(draft).minWeight = words.atLeastZero<float>(0); }},
+    {kTracing, "epsilon", nullptr, "E", nullptr, R"(
+     how far from its origin a secondary or shadow ray starts looking: a number of at least 0;
+     course, which is 0.001; or adaptive, from the size of the numbers at the hit (default: course
+     where the bounded objects together span 1 to 1000 units, else adaptive))",
      setEpsilon, Mode::rendering, "course adaptive"},
 
     {kSampling, "random_samples", nullptr, "N", nullptr,
@@ -207,28 +212,28 @@ constexpr ArgumentRow kRows[] = {
     {kSampling, "jittered_samples", nullptr, "N", nullptr,
      "N rays in each pixel, one at random in each cell of such a grid",
      setPattern<Pattern::jittered>},
-    {kSampling, "adaptive_samples", nullptr, "MIN MAX TOLERANCE", nullptr,
-     "MIN jittered rays in each pixel, 1 to 256, and up to MAX where colours differ by more than "
-     "TOLERANCE, 0 to 1",
+    {kSampling, "adaptive_samples", nullptr, "MIN MAX TOLERANCE", nullptr, R"(
+     MIN jittered rays in each pixel, 1 to 256, and up to MAX where colours differ by more than
+     TOLERANCE, 0 to 1)",
      setAdaptive},
-    {kSampling, "box_filter", nullptr, "R", "0.5",
-     "a pixel is the mean of the samples up to R pixels to each side of its centre; R is above 0 "
-     "and up to 32",
+    {kSampling, "box_filter", nullptr, "R", "0.5", R"(
+     a pixel is the mean of the samples up to R pixels to each side of its centre; R is above 0
+     and up to 32)",
      setFilter<FilterKind::box>},
     {kSampling, "tent_filter", nullptr, "R", nullptr,
      "samples at distance d count 1 - d / R, up to R pixels away; R is up to 32",
      setFilter<FilterKind::tent>},
-    {kSampling, "gaussian_filter", nullptr, "SIGMA", nullptr,
-     "samples at distance d count exp(-d^2 / (2 SIGMA^2)), up to 2 SIGMA pixels away; SIGMA is "
-     "up to 16",
+    {kSampling, "gaussian_filter", nullptr, "SIGMA", nullptr, R"(
+     samples at distance d count exp(-d^2 / (2 SIGMA^2)), up to 2 SIGMA pixels away; SIGMA is up
+     to 16)",
      setFilter<FilterKind::gaussian>},
     {kSampling, "render_samples", nullptr, "FILE ZOOM", nullptr,
      "write a picture of the samples, each a dot of its colour, ZOOM times as large as the image",
-     wantEnlarged<Output::samples>},
-    {kSampling, "render_filter", nullptr, "FILE ZOOM", nullptr,
-     "write a picture of the filter's weights for the middle pixel, ZOOM times as large as the "
-     "image",
-     wantEnlarged<Output::filter>},
+     wantEnlarged<Kind::samples>},
+    {kSampling, "render_filter", nullptr, "FILE ZOOM", nullptr, R"(
+     write a picture of the filter's weights for the middle pixel, ZOOM times as large as the
+     image)",
+     wantEnlarged<Kind::filter>},
 
     {kShading, "shadows", nullptr, "", "on", "cast shadow rays",
      [](Words, Draft& draft) { optionsOf(draft).shadows = true; }},
@@ -239,41 +244,41 @@ constexpr ArgumentRow kRows[] = {
      [](Words, Draft& draft) { optionsOf(draft).transparentShadows = true; }},
     {kShading, "shade_back", nullptr, "", nullptr, "light both sides of every surface",
      [](Words, Draft& draft) { optionsOf(draft).shadeBack = true; }},
-    {kShading, "nested_dielectrics", nullptr, "", nullptr,
-     "the index of refraction on either side follows from what a ray has entered and not left; "
-     "where objects overlap, the larger priority of their materials holds",
+    {kShading, "nested_dielectrics", nullptr, "", nullptr, R"(
+     the index of refraction on either side follows from what a ray has entered and not left;
+     where objects overlap, the larger priority of their materials holds)",
      [](Words, Draft& draft) { optionsOf(draft).nestedDielectrics = true; }},
     {kShading, "fresnel", nullptr, "", nullptr,
      "how much is reflected follows from index and angle; glass dims with the length inside",
      [](Words, Draft& draft) { optionsOf(draft).fresnel = true; }},
 
-    {kLarge, "region", nullptr, "X Y W H", nullptr,
-     "render W x H pixels only, of which the first is X from the left and Y from the top; the "
-     "images are parts, for -merge",
+    {kLarge, "region", nullptr, "X Y W H", nullptr, R"(
+     render W x H pixels only, of which the first is X from the left and Y from the top; the
+     images are parts, for -merge)",
      setRegion},
-    {kLarge, "tile", nullptr, "I N", nullptr,
-     "render the I-th of N bands of rows only, counted from 1 at the top; N is at most the "
-     "image's height",
+    {kLarge, "tile", nullptr, "I N", nullptr, R"(
+     render the I-th of N bands of rows only, counted from 1 at the top; N is at most the image's
+     height)",
      setBand},
-    {kLarge, "merge", nullptr, "OUT PART...", nullptr,
-     "a run of its own, without -input: put an image together from all its parts, TGA files in "
-     "any order",
+    {kLarge, "merge", nullptr, "OUT PART...", nullptr, R"(
+     a run of its own, without -input: put an image together from all its parts, TGA files in any
+     order)",
      setMerge, Mode::merging},
-    {kLarge, "checkpoint", nullptr, "FILE", nullptr,
-     "keep finished parts of the picture in FILE, from which the same command takes up after the "
-     "program was ended; FILE is removed when the picture is done",
+    {kLarge, "checkpoint", nullptr, "FILE", nullptr, R"(
+     keep finished parts of the picture in FILE, from which the same command takes up after the
+     program was ended; FILE is removed when the picture is done)",
      [](Words words, Draft& draft) { draft.run.checkpoint = words.plainFile(0); }},
-    {kLarge, "memory_limit", nullptr, "MB", nullptr,
-     "end the run with a message rather than take more than so many megabytes of memory (2^20 "
-     "bytes each), 1 to 100000000 (default: no limit)",
+    {kLarge, "memory_limit", nullptr, "MB", nullptr, R"(
+     end the run with a message rather than take more than so many megabytes of memory (2^20 bytes
+     each), 1 to 100000000 (default: no limit))",
      [](Words words, Draft& draft) {
-       draft.run.memoryLimit = words.wholeNumber(0, 1, kMaxMemoryLimit);
+       draft.run.memoryLimit = words.integer(0, 1, kMaxMemoryLimit);
      },
      Mode::any},
 
     {kSpeed, "threads", nullptr, "N", nullptr,
      "worker threads, 1 to 1024; the image never depends on it (default: all cores)",
-     [](Words words, Draft& draft) { draft.run.threads = words.wholeNumber(0, 1, kMaxThreads); },
+     [](Words words, Draft& draft) { draft.run.threads = words.integer(0, 1, kMaxThreads); },
      Mode::any},
     {kSpeed, "accel", nullptr, "NAME", "fast", "fast, or tree: the plain object tree, for checking",
      [](Words words, Draft& draft) {
@@ -282,22 +287,22 @@ constexpr ArgumentRow kRows[] = {
            isFast ? Acceleration::Kind::fast : Acceleration::Kind::tree;
      },
      Mode::rendering, "fast tree"},
-    {kSpeed, "grid", nullptr, "NX NY NZ", nullptr,
-     "find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most "
-     "16777216 in all, in place of -accel; the image never depends on it",
+    {kSpeed, "grid", nullptr, "NX NY NZ", nullptr, R"(
+     find hits through a uniform grid of so many cells, 1 to 1024 along each axis and at most
+     16777216 in all, in place of -accel; the image never depends on it)",
      setGrid},
-    {kSpeed, "simd", nullptr, "LEVEL", "auto",
-     "instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next "
-     "best; the image never depends on it",
+    {kSpeed, "simd", nullptr, "LEVEL", "auto", R"(
+     instruction set: auto, baseline, avx2 or avx512; where the processor lacks it, the next best;
+     the image never depends on it)",
      setSimd, Mode::rendering, "auto baseline avx2 avx512"},
 
-    {kComparing, "compare", nullptr, "EXPECTED ACTUAL", nullptr,
-     "tell how far two pictures are apart, or all those of two folders, or those of a folder and "
-     "the ones that a table of commands gives",
+    {kComparing, "compare", nullptr, "EXPECTED ACTUAL", nullptr, R"(
+     tell how far two pictures are apart, or all those of two folders, or those of a folder and
+     the ones that a table of commands gives)",
      setCompare, Mode::comparing},
     {kComparing, "tolerance", nullptr, "N", "1",
      "differences of up to N of 255 levels do not count",
-     [](Words words, Draft& draft) { draft.compare.tolerance = words.wholeNumber(0, 0, 255); },
+     [](Words words, Draft& draft) { draft.compare.tolerance = words.integer(0, 0, 255); },
      Mode::comparing},
     {kComparing, "fail_percent", nullptr, "P", "0",
      "up to P percent of the pixels may differ by more",
@@ -324,28 +329,24 @@ constexpr ArgumentRow kRows[] = {
     {kInside, "pixel", nullptr, "X Y", nullptr,
      "print all rays of one pixel, counted from the top left, and what becomes of them",
      [](Words words, Draft& draft) {
-       draft.pixel = {words.wholeNumber(0, 0, kMaxImageSide - 1),
-                      words.wholeNumber(1, 0, kMaxImageSide - 1)};
+       draft.pixel = {words.integer(0, 0, kMaxImageSide - 1),
+                      words.integer(1, 0, kMaxImageSide - 1)};
      }},
     {kInside, "pixel_obj", nullptr, "FILE", nullptr,
-     "with -pixel: write the same rays as lines of an OBJ file", wantPicture<Output::rays>},
+     "with -pixel: write the same rays as lines of an OBJ file", wantPicture<Kind::rays>},
     {kInside, "visualize_grid", nullptr, "", nullptr,
      "draw the cells of -grid that hold any object as white boxes",
-     [](Words, Draft& draft) {
-       draft.render.picture.acceleration.cellPicture = Acceleration::CellPicture::occupied;
-     }},
+     drawCells<Acceleration::CellPicture::occupied>},
     {kInside, "visualize_grid_count", nullptr, "", nullptr,
      "the same in colours, from white for one object in a cell to red for more than 32",
-     [](Words, Draft& draft) {
-       draft.render.picture.acceleration.cellPicture = Acceleration::CellPicture::counts;
-     }},
+     drawCells<Acceleration::CellPicture::counts>},
 
     {kInformation, "progress", nullptr, "", nullptr,
      "tell on standard error how far the picture is, even where that is no terminal",
      [](Words, Draft& draft) { draft.run.progress = RunRequest::Progress::on; }},
-    {kInformation, "preview", nullptr, "", nullptr,
-     "show the picture on standard output, in coloured characters as large as the window; on a "
-     "terminal from the first tile on",
+    {kInformation, "preview", nullptr, "", nullptr, R"(
+     show the picture on standard output, in coloured characters as large as the window; on a
+     terminal from the first tile on)",
      [](Words, Draft& draft) { draft.render.results.preview = true; }},
     {kInformation, "quiet", nullptr, "", nullptr, "no warnings, no progress",
      [](Words, Draft& draft) {

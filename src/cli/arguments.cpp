@@ -12,6 +12,13 @@ const ArgumentRow* findArgument(const std::string& name) {
   return nullptr;
 }
 
+std::string helpOf(const ArgumentRow& row) {
+  std::istringstream words(row.help);
+  std::string help, word;
+  while (words >> word) help += (help.empty() ? "" : " ") + word;
+  return row.defaultWords ? help + " (default: " + row.defaultWords + ")" : help;
+}
+
 int countWords(const ArgumentRow& row) {
   if (!*row.words) return 0;
   int count = 1;
@@ -37,7 +44,7 @@ std::string ArgumentWords::nameOfWord(std::size_t index) const {
   return name;
 }
 
-int ArgumentWords::wholeNumber(std::size_t index, int least, int most) const {
+int ArgumentWords::integer(std::size_t index, int least, int most) const {
   int value = 0;
   if (readInt(words_[index], value) && value >= least && value <= most) return value;
   fail(index, "a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
@@ -51,23 +58,21 @@ double ArgumentWords::number(std::size_t index, double least, double most,
   return value;
 }
 
-/// What is wrong with a word that should have been a number of at least 0.
-static std::string atLeastZero(const std::string& word) {
-  const bool isTooLarge = isNumber(word) && word[0] != '-';
-  return isTooLarge ? "a number of at least 0 and within range" : "a number of at least 0";
+static bool read(const std::string& word, float& value) { return readFloat(word, value); }
+static bool read(const std::string& word, double& value) { return readDouble(word, value); }
+
+template <class Real>
+Real ArgumentWords::atLeastZero(std::size_t index, const char* alternatives) const {
+  Real value = 0;
+  const std::string& word = words_[index];
+  if (read(word, value) && value >= 0) return value;
+  const bool isTooLarge = ::isNumber(word) && word[0] != '-';
+  fail(index, std::string("a number of at least 0") + (isTooLarge ? " and within range" : "") +
+                  alternatives);
 }
 
-double ArgumentWords::positiveNumber(std::size_t index, const char* alternatives) const {
-  double value = 0;
-  if (readDouble(words_[index], value) && value >= 0) return value;
-  fail(index, atLeastZero(words_[index]) + alternatives);
-}
-
-float ArgumentWords::positiveFloat(std::size_t index) const {
-  float value = 0;
-  if (readFloat(words_[index], value) && value >= 0) return value;
-  fail(index, atLeastZero(words_[index]));
-}
+template double ArgumentWords::atLeastZero<double>(std::size_t, const char*) const;
+template float ArgumentWords::atLeastZero<float>(std::size_t, const char*) const;
 
 bool ArgumentWords::isNumber(std::size_t index) const { return ::isNumber(words_[index]); }
 

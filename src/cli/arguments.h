@@ -28,7 +28,7 @@ struct ArgumentRow {
   const char* otherName;     ///< a second spelling, or nullptr
   const char* words;         ///< the words that follow it, separated by single blanks; may be ""
   const char* defaultWords;  ///< what holds when it is not given, or nullptr where nothing does
-  const char* help;          ///< one sentence without a full stop
+  const char* help;          ///< see helpOf
   /// Enters the argument in `draft`; throws UsageError where its words are wrong. Called with as
   /// many words as `words` names, or more where it ends in "...".
   void (*apply)(const ArgumentWords& words, Draft& draft);
@@ -44,6 +44,10 @@ const std::vector<ArgumentRow>& argumentTable();
 
 /// The row with this name or other name (without dashes), or nullptr.
 const ArgumentRow* findArgument(const std::string& name);
+
+/// What the argument does and what holds when it is not given: one sentence without a full stop, in
+/// one line.
+std::string helpOf(const ArgumentRow& row);
 
 /// How many words follow the argument, at least where more may (see takesMore).
 int countWords(const ArgumentRow& row);
@@ -63,14 +67,13 @@ class ArgumentWords {
   const std::vector<std::string>& all() const { return words_; }
 
   /// A whole number from `least` to `most`.
-  int wholeNumber(std::size_t index, int least, int most) const;
+  int integer(std::size_t index, int least, int most) const;
   /// A number from `least` to `most`; `expected` says so in the message.
   double number(std::size_t index, double least, double most, const std::string& expected) const;
-  /// A finite number of at least 0; `alternatives` names for the message what else the word might
-  /// be, e.g. ", course or adaptive".
-  double positiveNumber(std::size_t index, const char* alternatives) const;
-  /// The same, rounded once to float; beyond the range of float is a mistake.
-  float positiveFloat(std::size_t index) const;
+  /// A number of at least 0, rounded once to double or float; beyond its range is a mistake.
+  /// `alternatives` names for the message what else the word might be, e.g. ", course or adaptive".
+  template <class Real>
+  Real atLeastZero(std::size_t index, const char* alternatives = "") const;
   /// Whether the word looks like a number, perhaps one out of range.
   bool isNumber(std::size_t index) const;
   /// Any finite number, which is called `what` in the message.

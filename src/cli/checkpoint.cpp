@@ -16,7 +16,7 @@
 #include <exception>
 #include <system_error>
 
-#include "cli/messages.h"
+#include "cli/program.h"
 #include "image/temporary_names.h"
 #include "render/tile_bytes.h"
 

@@ -8,10 +8,9 @@
 
 #include "cli/command_table.h"
 #include "cli/compare_output.h"
-#include "cli/file_names.h"
-#include "cli/messages.h"
 #include "cli/outputs.h"
 #include "cli/picture_pairs.h"
+#include "cli/program.h"
 #include "cli/render_run.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"

@@ -1,16 +1,48 @@
-// Inspection: what a run finds out besides the pictures that rays make: how many rays each pixel
-// takes (-heatmap), and all that becomes of one ray (-pixel, -pixel_obj).
+// Inspection: what a run tells besides its pictures: how long it took and how many rays there were
+// (-stats), how many rays each pixel takes (-heatmap), which material has which colour
+// (-materials), and all that becomes of one ray (-pixel, -pixel_obj).
 #pragma once
+#include <chrono>
 #include <string>
 #include <vector>
 
+#include "accel/test_counts.h"
 #include "cli/outputs.h"
-#include "cli/request.h"
+#include "render/ray_counts.h"
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
 
-/// True where any of it is wanted.
-bool wantsInspection(const ResultRequest& results);
+/// Seconds from one call of restart() to the next.
+class Stopwatch {
+ public:
+  /// Seconds since the start, or since the last restart; begins anew.
+  double restart() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> passed = now - start_;
+    start_ = now;
+    return passed.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// What -stats prints.
+struct Stats {
+  std::string simd;  ///< the instruction set in use, "none" for the plain object tree
+  std::string tree;  ///< CompiledScene::describe(), or "plain object tree"
+  int threads = 0;
+  double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;
+
+  RayCounts rays;
+  double pixels = 0;
+  RayTestCounts tests;
+  bool countsTests = false;  ///< whether what answered for the scene has filled `tests`
+
+  /// A line `name: value` for each entry, in a fixed order, each with its end.
+  std::string text() const;
+};
 
 /// The scene, where its objects stand in its file (filled where a pixel is traced), and what
 /// answers for them. Nothing is owned.
@@ -19,6 +51,9 @@ struct InspectedScene {
   const ObjectPlaces& places;
   const Object3D& geometry;
 };
+
+/// True where the scene is to be traced for -heatmap or -pixel.
+bool wantsInspection(const ResultRequest& results);
 
 /// Draws the heat map in its output and stores its scale there, where `outputs` has it.
 void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,

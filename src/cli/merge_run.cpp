@@ -7,8 +7,8 @@
 #include <memory>
 #include <tuple>
 
-#include "cli/messages.h"
 #include "cli/part_cover.h"
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "image/tga.h"

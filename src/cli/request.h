@@ -12,7 +12,7 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid_frame.h"
-#include "cli/usage_error.h"
+#include "cli/program.h"
 #include "render/image_plane.h"
 #include "render/render_options.h"
 

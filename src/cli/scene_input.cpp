@@ -2,8 +2,7 @@
 #include "cli/scene_input.h"
 
 #include "accel/compiled_scene.h"
-#include "cli/messages.h"
-#include "cli/out_of_memory.h"
+#include "cli/program.h"
 #include "render/sampler.h"
 #include "scene/mistake_log.h"
 #include "scene/source_text.h"

@@ -34,11 +34,11 @@ Words sampleWords(const ArgumentRow& row) {
 }  // namespace
 
 TEST("limits in the help are the limits of the parser") {
-  CHECK(contains(findArgument("bounces")->help, "to " + std::to_string(kMaxBounces)));
-  CHECK(contains(findArgument("threads")->help, "to " + std::to_string(kMaxThreads)));
-  CHECK(contains(findArgument("size")->help, "to " + std::to_string(kMaxImageSide)));
-  CHECK(contains(findArgument("grid")->help, "to " + std::to_string(kMaxGridSide)));
-  CHECK(contains(findArgument("grid")->help, "most " + std::to_string(kMaxGridCells)));
+  CHECK(contains(helpOf(*findArgument("bounces")), "to " + std::to_string(kMaxBounces)));
+  CHECK(contains(helpOf(*findArgument("threads")), "to " + std::to_string(kMaxThreads)));
+  CHECK(contains(helpOf(*findArgument("size")), "to " + std::to_string(kMaxImageSide)));
+  CHECK(contains(helpOf(*findArgument("grid")), "to " + std::to_string(kMaxGridSide)));
+  CHECK(contains(helpOf(*findArgument("grid")), "most " + std::to_string(kMaxGridCells)));
 }
 
 TEST("every argument of the contract is in the table") {

@@ -3,7 +3,7 @@
 
 #include "check.h"
 #include "cli/command_words.h"
-#include "cli/file_names.h"
+#include "cli/outputs.h"
 #include "cli/request.h"
 #include "run_program.h"
 #include "system/worker_threads.h"
