@@ -10,7 +10,7 @@ namespace {
 
 int runCommandLine(int argc, char** argv) {
   try {
-    return runProgram(parseOptions(std::vector<std::string>(argv + (argc > 0), argv + argc)));
+    return runProgram(std::vector<std::string>(argv + (argc > 0), argv + argc));
   } catch (const UsageError& error) {
     complain(error.what());
     return kWrongUsage;

@@ -16,7 +16,7 @@
 #include <exception>
 #include <system_error>
 
-#include "cli/messages.h"
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "render/tile_bytes.h"
 

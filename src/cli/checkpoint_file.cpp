@@ -16,7 +16,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "cli/options.h"
+#include "cli/request.h"
 #include "image/output_file.h"
 #include "render/tile_bytes.h"
 

@@ -5,7 +5,6 @@
 #include <set>
 #include <sstream>
 
-#include "cli/outputs.h"
 #include "image/bytes.h"
 #include "scene/wording.h"
 
@@ -46,7 +45,7 @@ std::string beside(const std::string& table, const std::string& file) {
 }
 
 TableCommand readLine(const std::string& path, int number, const std::string& line,
-                      std::vector<std::string> words) {
+                      std::vector<std::string> words, const RunRequest& defaults) {
   const std::string picture = words[0];
   if (picture[0] == '-' && picture != "-") {
     throw UsageError("expected the name of a picture before the arguments, found " +
@@ -54,23 +53,25 @@ TableCommand readLine(const std::string& path, int number, const std::string& li
   }
   words.erase(words.begin());
   if (picture != "-") words.insert(words.begin(), {"-output", picture});
-  TableCommand command = {number, line, parseOptions(words)};
-  Options& options = command.options;
-  if (options.wantsText() || options.check || options.stats || options.tracesPixel ||
-      options.preview || options.compare.isWanted()) {
+  Request request = parseRequest(words, defaults);
+  const ResultRequest& results = request.render.results;
+  if (request.text != ProgramText::none || request.check || results.stats || results.pixel ||
+      results.preview || request.compare.isWanted() || request.merge.isWanted()) {
     throw UsageError("expected arguments that only render pictures");
   }
-  if (picture != "-" && options.output != picture) {
+  const OutputRequest* const output = results.find(OutputRequest::Kind::color);
+  if (picture != "-" && output->file != picture) {
     throw UsageError("-output: the line begins with the picture's name already");
   }
-  if (options.input == "-") throw UsageError("-input: expected a file, found '-'");
-  options.input = beside(path, options.input);
-  return command;
+  std::string& scene = request.render.picture.scene;
+  if (scene == "-") throw UsageError("-input: expected a file, found '-'");
+  scene = beside(path, scene);
+  return {number, line, request.render, request.run};
 }
 
 }  // namespace
 
-std::vector<TableCommand> readCommandTable(const std::string& path) {
+std::vector<TableCommand> readCommandTable(const std::string& path, const RunRequest& defaults) {
   const Bytes bytes = readBytes(path);
   if (bytes.size() > kMostBytes) throw ImageError(path, "expected a table of at most 64 MB");
   std::istringstream lines(std::string(bytes.begin(), bytes.end()));
@@ -82,8 +83,8 @@ std::vector<TableCommand> readCommandTable(const std::string& path) {
       const std::vector<std::string> words = wordsOf(line);
       if (words.empty()) continue;
       if (words[0].empty()) throw UsageError("expected the name of a picture, found ''");
-      commands.push_back(readLine(path, number, line, words));
-      for (const Output& output : wantedOutputs(commands.back().options)) {
+      commands.push_back(readLine(path, number, line, words, defaults));
+      for (const OutputRequest& output : commands.back().render.results.outputs) {
         if (!pictures.insert(output.file).second) {
           throw UsageError("expected a picture of a new name, found " + ::quoted(output.file));
         }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/request.h"
 
 /// A line of the table. Its words are separated by blanks; ' or " around a part of a word keep
 /// blanks in it; # at the start of a word begins a comment.
@@ -11,12 +11,14 @@
 /// PICTURE is what -output would name; - stands for no picture of the colours. Pictures that other
 /// arguments name (-depth, -normals) are the line's too. Nothing is written to any of them.
 struct TableCommand {
-  int line;          ///< from 1
-  std::string text;  ///< the arguments, as they stand in the table
-  Options options;   ///< input files are looked up beside the table
+  int line;              ///< from 1
+  std::string text;      ///< the arguments, as they stand in the table
+  RenderRequest render;  ///< input files are looked up beside the table
+  RunRequest run;
 };
 
-/// Reads a table. Throws ImageError where the file cannot be read, UsageError "FILE:LINE: ..." for
-/// a mistake: arguments that the program would refuse, those that only print (-check, -stats,
-/// -help) or compare, a line without a picture, a picture that an earlier line has too.
-std::vector<TableCommand> readCommandTable(const std::string& path);
+/// Reads a table. What its lines do not say of their runs is as in `defaults`. Throws ImageError
+/// where the file cannot be read, UsageError "FILE:LINE: ..." for a mistake: arguments that the
+/// program would refuse, those that only print (-check, -stats, -help) or compare, a line without a
+/// picture, a picture that an earlier line has too.
+std::vector<TableCommand> readCommandTable(const std::string& path, const RunRequest& defaults);

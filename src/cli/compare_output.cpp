@@ -64,7 +64,7 @@ std::string verdict(const ComparedPair& pair) {
          psnrText(f) + ", over the tolerance " + overText(f);
 }
 
-std::string figureLines(const ComparedPair& pair, const CompareOptions& options) {
+std::string figureLines(const ComparedPair& pair, const CompareRequest& options) {
   std::string text = line("expected", pair.expected) + line("actual", pair.actual);
   if (pair.isAtFault()) return text + line("result", nameOf(pair.result));
   const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };

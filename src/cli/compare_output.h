@@ -6,7 +6,7 @@
 #include "cli/compared_pair.h"
 
 /// All figures of one pair, in lines `name: value`.
-std::string figureLines(const ComparedPair& pair, const CompareOptions& options);
+std::string figureLines(const ComparedPair& pair, const CompareRequest& options);
 
 /// One line for each pair and one that counts them.
 std::string pairLines(const std::vector<ComparedPair>& pairs);
@@ -24,4 +24,4 @@ std::string csvRow(const ComparedPair& pair);
 
 /// The page: one file that needs nothing from outside. Pairs come as they are given. Names may hold
 /// any bytes.
-std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareOptions& options);
+std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& options);

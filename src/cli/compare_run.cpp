@@ -8,10 +8,9 @@
 
 #include "cli/command_table.h"
 #include "cli/compare_output.h"
-#include "cli/file_names.h"
-#include "cli/messages.h"
 #include "cli/outputs.h"
 #include "cli/picture_pairs.h"
+#include "cli/program.h"
 #include "cli/render_run.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
@@ -48,7 +47,7 @@ void attempt(ComparedPair& pair, const Work& work) {
 
 /// Where -diff is given, `difference` is then the picture of the differences of two that could be
 /// read.
-ComparedPair compareFiles(const PicturePair& files, const CompareOptions& options,
+ComparedPair compareFiles(const PicturePair& files, const CompareRequest& options,
                           Image& difference) {
   ComparedPair pair;
   pair.name = files.name;
@@ -72,13 +71,13 @@ ComparedPair compareFiles(const PicturePair& files, const CompareOptions& option
 }
 
 /// Throws UsageError where an output would replace the picture.
-void checkNoOutput(const std::string& picture, const CompareOptions& options) {
+void checkNoOutput(const std::string& picture, const CompareRequest& options) {
   for (const std::string* output : {&options.report, &options.csv}) {
     if (isSameOutput(picture, *output)) refuse(picture, *output);
   }
 }
 
-std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
+std::vector<ComparedPair> compareFolders(const CompareRequest& options) {
   const std::vector<PicturePair> found = pairsIn(options.expected, options.actual);
   for (const PicturePair& files : found) {
     checkNoOutput(files.expected, options);
@@ -94,20 +93,19 @@ std::vector<ComparedPair> compareFolders(const CompareOptions& options) {
 /// Renders the pictures of table lines and compares them with those of a folder.
 class TableRun {
  public:
-  explicit TableRun(const Options& options)
-      : options_(options), expected_(picturesIn(options.compare.expected)) {
+  TableRun(const CompareRequest& compare, const RunRequest& run)
+      : compare_(compare), run_(run), expected_(picturesIn(compare.expected)) {
+    run_.memoryLimit = 0;  // that of this run, whose threads are as many as it allows
+    if (run_.progress == RunRequest::Progress::automatic) {
+      run_.progress = RunRequest::Progress::off;
+    }
     for (const std::string& name : expected_) {
-      checkNoOutput(pairFor(name, name).expected, options.compare);
+      checkNoOutput(pairFor(name, name).expected, compare_);
     }
   }
 
   std::vector<ComparedPair> run() {
-    for (TableCommand& command : readCommandTable(options_.compare.actual)) {
-      if (command.options.threads == 0) command.options.threads = options_.threads;
-      command.options.quiet |= options_.quiet;
-      if (command.options.progress == Options::Progress::automatic) {
-        command.options.progress = Options::Progress::off;
-      }
+    for (const TableCommand& command : readCommandTable(compare_.actual, run_)) {
       compareOutputs(command);
     }
     for (const std::string& name : expected_) {
@@ -123,15 +121,14 @@ class TableRun {
   ComparedPair pairFor(const std::string& name, const std::string& expected) const {
     ComparedPair pair;
     pair.name = name;
-    if (!expected.empty())
-      pair.expected = (fs::path(options_.compare.expected) / expected).string();
+    if (!expected.empty()) pair.expected = (fs::path(compare_.expected) / expected).string();
     return pair;
   }
 
   void compareOutputs(const TableCommand& command) {
-    std::vector<Output> outputs = wantedOutputs(command.options);
+    std::vector<Output> outputs = outputsOf(command.render.results);
     ComparedPair whole = pairFor(outputs[0].file, "");
-    attempt(whole, [&] { outputs = renderPictures(command.options); });
+    attempt(whole, [&] { outputs = renderPictures(command.render, command.run); });
     for (const Output& output : outputs) {
       const std::string partner = partnerOf(output.file, expected_);
       if (!partner.empty()) taken_.insert(partner);
@@ -144,15 +141,15 @@ class TableRun {
         pair.result = Result::unexpected;
         pair.fault = "no expected picture";
       } else {
-        attempt(pair, [&] {
-          comparePictures(readImage(pair.expected), output.image, options_.compare, pair);
-        });
+        attempt(pair,
+                [&] { comparePictures(readImage(pair.expected), output.image, compare_, pair); });
       }
       pairs_.push_back(std::move(pair));
     }
   }
 
-  const Options& options_;
+  const CompareRequest& compare_;
+  RunRequest run_;  // what the lines of the table begin with
   const std::vector<std::string> expected_;
   std::set<std::string> taken_;
   std::vector<ComparedPair> pairs_;
@@ -194,7 +191,7 @@ CompareStatus statusOf(const std::vector<ComparedPair>& pairs) {
 
 /// False where one of the files cannot be written, which has then been said.
 bool writeOutputs(std::vector<ComparedPair>& pairs, const Image& difference,
-                  const CompareOptions& options) {
+                  const CompareRequest& options) {
   bool written = true;
   const auto attemptWriting = [&written](const auto& write) {
     try {
@@ -223,7 +220,7 @@ bool writeOutputs(std::vector<ComparedPair>& pairs, const Image& difference,
 
 /// Throws UsageError where an output is one of the things compared, or two outputs are one file, or
 /// one goes to standard output beside the figures.
-void checkOutputs(const CompareOptions& options, bool quiet) {
+void checkOutputs(const CompareRequest& options, bool quiet) {
   const std::string* const files[] = {&options.expected, &options.actual, &options.diff,
                                       &options.report, &options.csv};
   for (int i = 2; i < 5; ++i) {
@@ -238,26 +235,25 @@ void checkOutputs(const CompareOptions& options, bool quiet) {
   }
 }
 
-std::vector<ComparedPair> compareAll(const Options& options, Image& difference) {
-  const CompareOptions& compare = options.compare;
+std::vector<ComparedPair> compareAll(const CompareRequest& compare, const RunRequest& run,
+                                     Image& difference) {
   const bool folder = isFolder(compare.expected), both = folder && isFolder(compare.actual);
   if (!folder) {
     const std::string name = fs::path(compare.expected).filename().string();
     return {compareFiles({name, compare.expected, compare.actual}, compare, difference)};
   }
   if (!compare.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
-  return both ? compareFolders(compare) : TableRun(options).run();
+  return both ? compareFolders(compare) : TableRun(compare, run).run();
 }
 
 }  // namespace
 
-int runComparison(const Options& options) {
-  const CompareOptions& compare = options.compare;
-  checkOutputs(compare, options.quiet);
+int runComparison(const CompareRequest& compare, const RunRequest& run) {
+  checkOutputs(compare, run.quiet);
   std::vector<ComparedPair> pairs;
   Image difference;
   try {
-    pairs = compareAll(options, difference);
+    pairs = compareAll(compare, run, difference);
   } catch (const ImageError& error) {
     complain(error.what());
     return kUnreadable;
@@ -269,7 +265,7 @@ int runComparison(const Options& options) {
   const CompareStatus status = statusOf(pairs);
   const bool single = !isFolder(compare.expected);
   const std::string text = single ? figureLines(pairs[0], compare) : pairLines(pairs);
-  const bool printed = options.quiet || print(text) == kDone;
+  const bool printed = run.quiet || print(text) == kDone;
   const bool written = writeOutputs(pairs, difference, compare);
   return (printed && written) || status != kSame ? status : kDifferent;
 }

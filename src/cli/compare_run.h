@@ -1,6 +1,6 @@
 // The run of `raytracer -compare`.
 #pragma once
-#include "cli/options.h"
+#include "cli/request.h"
 
 /// Exit status of a comparison.
 enum CompareStatus {
@@ -9,11 +9,11 @@ enum CompareStatus {
   kUnreadable = 3,  ///< a picture, a folder, a table, or the scene of a command
 };
 
-/// Compares what options.compare names, prints the figures to standard output and writes the
+/// Compares what `compare` names, prints the figures to standard output and writes the
 /// picture, report and table that are wanted. Returns the worst CompareStatus of all pairs, where
 /// kUnreadable is the worst. Two files are compared as pictures, two folders by picturePairs. Of a
 /// folder and a file, the file is a table of commands: each is rendered, and its pictures are
 /// compared with those of the same name, or the same name but for the ending, in the folder;
 /// pictures of the folder that no command gives are a difference too.
 /// Throws UsageError.
-int runComparison(const Options& options);
+int runComparison(const CompareRequest& compare, const RunRequest& run);

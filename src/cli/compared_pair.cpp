@@ -50,7 +50,7 @@ bool isWorse(const ComparedPair& a, const ComparedPair& b) {
   return p != q ? p > q : a.name < b.name;
 }
 
-void comparePictures(const Image& expected, const Image& actual, const CompareOptions& options,
+void comparePictures(const Image& expected, const Image& actual, const CompareRequest& options,
                      ComparedPair& pair) {
   pair.expectedWidth = expected.Width();
   pair.expectedHeight = expected.Height();

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/compare_options.h"
+#include "cli/request.h"
 #include "image/bytes.h"
 #include "image/comparison.h"
 
@@ -31,5 +31,5 @@ const char* nameOf(ComparedPair::Result result);
 bool isWorse(const ComparedPair& a, const ComparedPair& b);
 
 /// Compares two pictures of the given name and enters what came of it.
-void comparePictures(const Image& expected, const Image& actual, const CompareOptions& options,
+void comparePictures(const Image& expected, const Image& actual, const CompareRequest& options,
                      ComparedPair& pair);

@@ -9,7 +9,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 #include "system/files.h"
 #include "system/worker_threads.h"
 
@@ -51,19 +51,26 @@ void addReal(double number, Sha256& hash) {
 }
 
 /// What of the arguments that name files changes pixels.
-void addPictures(const Options& options, Sha256& hash) {
-  hash.addNumber(!options.output.empty());
-  hash.addNumber(!options.depthOutput.empty());
-  addReal(options.depthMin, hash);
-  addReal(options.depthMax, hash);
-  hash.addNumber(!options.normalsOutput.empty());
-  hash.addNumber(!options.samplesOutput.empty());
-  hash.addNumber(std::uint64_t(options.samplesZoom));
-  if (!options.materialsOutput.empty()) addText("materials", hash);
+void addPictures(const std::vector<OutputRequest>& outputs, Sha256& hash) {
+  const auto find = [&](OutputRequest::Kind kind) {
+    for (const OutputRequest& output : outputs)
+      if (output.kind == kind) return &output;
+    return static_cast<const OutputRequest*>(nullptr);
+  };
+  const OutputRequest* const depth = find(OutputRequest::Kind::depth);
+  const OutputRequest* const samples = find(OutputRequest::Kind::samples);
+  hash.addNumber(find(OutputRequest::Kind::color) != nullptr);
+  hash.addNumber(depth != nullptr);
+  addReal(depth ? depth->depthMin : 0, hash);
+  addReal(depth ? depth->depthMax : 0, hash);
+  hash.addNumber(find(OutputRequest::Kind::normals) != nullptr);
+  hash.addNumber(samples != nullptr);
+  hash.addNumber(std::uint64_t(samples ? samples->zoom : 1));
+  if (find(OutputRequest::Kind::materials)) addText("materials", hash);
 }
 
-void addArguments(const Options& options, Sha256& hash) {
-  for (const GivenOption& given : options.given) {
+void addArguments(const std::vector<GivenArgument>& arguments, Sha256& hash) {
+  for (const GivenArgument& given : arguments) {
     if (!changesPicture(given.name)) continue;
     addText(given.name, hash);
     hash.addNumber(given.words.size());
@@ -100,7 +107,8 @@ Digest fileDigest(const std::string& path, int threads) {
   return hash.finish();
 }
 
-Digest pictureFingerprint(const Options& options, const Digest& scene,
+Digest pictureFingerprint(const std::vector<OutputRequest>& outputs,
+                          const std::vector<GivenArgument>& given, const Digest& scene,
                           const std::vector<std::string>& meshFiles, int threads) {
   Sha256 hash;
   addText(versionText(), hash);
@@ -113,7 +121,7 @@ Digest pictureFingerprint(const Options& options, const Digest& scene,
     known[file] = digest;
     hash.add(digest);
   }
-  addPictures(options, hash);
-  addArguments(options, hash);
+  addPictures(outputs, hash);
+  addArguments(given, hash);
   return hash.finish();
 }

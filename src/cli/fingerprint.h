@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/request.h"
 #include "system/sha256.h"
 
 /// The digest of the program's version, the scene's bytes (`scene` is their digest), all bytes of
@@ -14,7 +14,8 @@
 /// and the files' names. Two ways of saying the same (a default that is given, 5 and 5.0) are
 /// different. Files are hashed on so many threads; one that cannot be read, or is no plain file
 /// that could be read twice, throws std::runtime_error.
-Digest pictureFingerprint(const Options& options, const Digest& scene,
+Digest pictureFingerprint(const std::vector<OutputRequest>& outputs,
+                          const std::vector<GivenArgument>& given, const Digest& scene,
                           const std::vector<std::string>& meshFiles, int threads);
 
 /// False for an argument (its name without dashes) that changes no pixel whatever its words are,

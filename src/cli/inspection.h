@@ -1,18 +1,50 @@
-// Inspection: what a run finds out besides the pictures that rays make: how many rays each pixel
-// takes (-heatmap), and all that becomes of one ray (-pixel, -pixel_obj).
+// Inspection: what a run tells besides its pictures: how long it took and how many rays there were
+// (-stats), how many rays each pixel takes (-heatmap), which material has which colour
+// (-materials), and all that becomes of one ray (-pixel, -pixel_obj).
 #pragma once
+#include <chrono>
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
+#include "accel/test_tally.h"
 #include "cli/outputs.h"
+#include "render/ray_counts.h"
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
 
-/// True where the options ask for any of it.
-bool wantsInspection(const Options& options);
+/// Seconds from one call of restart() to the next.
+class Stopwatch {
+ public:
+  /// Seconds since the start, or since the last restart; begins anew.
+  double restart() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> passed = now - start_;
+    start_ = now;
+    return passed.count();
+  }
 
-/// The scene, where its objects stand in its file (filled where options.tracesPixel), and what
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// What -stats prints.
+struct Stats {
+  std::string simd;  ///< the instruction set in use, "none" for the plain object tree
+  std::string tree;  ///< CompiledScene::describe(), or "plain object tree"
+  int threads = 0;
+  double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;
+
+  RayCounts rays;
+  double pixels = 0;
+  RayTestCounts tests;
+  bool countsTests = false;  ///< whether what answered for the scene has filled `tests`
+
+  /// A line `name: value` for each entry, in a fixed order, each with its end.
+  std::string text() const;
+};
+
+/// The scene, where its objects stand in its file (filled where a pixel is traced), and what
 /// answers for them. Nothing is owned.
 struct InspectedScene {
   const SceneParser& scene;
@@ -20,19 +52,19 @@ struct InspectedScene {
   const Object3D& geometry;
 };
 
+/// True where the scene is to be traced for -heatmap or -pixel.
+bool wantsInspection(const ResultRequest& results);
+
 /// Draws the heat map in its output and stores its scale there, where `outputs` has it.
-void drawHeatmap(const InspectedScene& inspected, const Options& options, int threads,
-                 std::vector<Output>& outputs);
+void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,
+                 const RunRequest& run, std::vector<Output>& outputs);
 
 /// Writes the tree of the pixel's rays to standard output, as far as that takes it (the caller
 /// looks at ferror(stdout)), and stores their lines where `outputs` has them. Returns what is to be
 /// printed last: the pixel's colour in numbers and in bytes, or "" where no pixel is asked for.
-std::string inspectPixel(const InspectedScene& inspected, const Options& options,
+std::string inspectPixel(const InspectedScene& inspected, const RenderRequest& render,
                          std::vector<Output>& outputs);
 
 /// What the pictures among `outputs` mean, in lines: the materials that -materials shows and the
 /// scale of -heatmap; "" where neither is there.
 std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs);
-
-/// Throws UsageError where the pixel to trace is outside of the picture, or there is none.
-void checkPixel(const Options& options);

@@ -7,8 +7,8 @@
 #include <memory>
 #include <tuple>
 
-#include "cli/messages.h"
 #include "cli/part_cover.h"
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "scene/input_error.h"
@@ -122,7 +122,7 @@ void write(const std::vector<PartFile>& parts, const std::string& path) {
 
 }  // namespace
 
-int runMerge(const MergeOptions& options) {
+int runMerge(const MergeRequest& options) {
   checkOutput(options.output);
   std::vector<std::string> mistakes;
   std::vector<PartFile> parts = readParts(options.parts, mistakes);

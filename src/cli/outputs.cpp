@@ -1,16 +1,74 @@
-// The files of a run.
+// The files of a run. A file may be named more than once in different words: two names are one file
+// where the system says so, or, for files that are not there yet, where following all links leads
+// both to one path.
 #include "cli/outputs.h"
 
-#include <new>
-#include <stdexcept>
+#include <algorithm>
+#include <filesystem>
 
-#include "cli/messages.h"
-#include "cli/part_arguments.h"
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "render/film.h"
 
 namespace {
+
+namespace fs = std::filesystem;
+using Kind = OutputRequest::Kind;
+
+/// What an output goes to and an input comes from.
+std::string outputPath(const std::string& file) { return file == "-" ? "/dev/stdout" : file; }
+std::string inputPath(const std::string& file) { return file == "-" ? "/dev/stdin" : file; }
+
+/// Where a file of this name is or would be created, links followed.
+fs::path placeOf(const std::string& name) {
+  constexpr int kMostLinks = 40;  // as Linux allows
+  std::error_code error;
+  fs::path place = fs::absolute(name, error);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(place, error) && !fs::exists(place, error); ++i)
+    place = place.parent_path() / fs::read_symlink(place, error);
+  const fs::path canonical = fs::weakly_canonical(place, error);
+  return error ? place : canonical;
+}
+
+/// True when both names lead to the same place, whether or not there is a file yet.
+bool isSamePlace(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::is_character_file(a, error)) return false;
+  return (fs::equivalent(a, b, error) && !error) || placeOf(a) == placeOf(b);
+}
+
+/// The argument that prints on standard output, or "" where none does.
+std::string printingArgument(const ResultRequest& results) {
+  if (results.stats) return "-stats";
+  if (results.pixel) return "-pixel";
+  if (results.find(Kind::heatmap)) return "-heatmap";
+  if (results.find(Kind::materials)) return "-materials";
+  return results.preview ? "-preview" : "";
+}
+
+/// A file and the argument that names it.
+struct NamedFile {
+  const char* argument;
+  std::string file;
+};
+
+std::vector<NamedFile> namedOutputs(const ResultRequest& results, const std::string& checkpoint) {
+  static constexpr const char* kArguments[] = {
+      "-output",        "-depth",     "-normals", "-render_samples",
+      "-render_filter", "-materials", "-heatmap", "-pixel_obj"};  // in the order of Kind
+  std::vector<NamedFile> named;
+  for (const OutputRequest& output : results.outputs) {
+    named.push_back({kArguments[int(output.kind)], output.file});
+  }
+  if (!checkpoint.empty()) named.push_back({"-checkpoint", checkpoint});
+  return named;
+}
+
+[[noreturn]] void refuse(const NamedFile& a, const NamedFile& b) {
+  throw UsageError(std::string(a.argument) + " and " + b.argument +
+                   ": expected different files, found '" + a.file + "' and '" + b.file + "'");
+}
 
 /// Calls work(); returns false, complaining, where an output fails for any reason.
 template <class Work>
@@ -27,13 +85,33 @@ bool succeeds(const Output& output, const Work& work) {
 }
 
 bool wantsFloats(const Output& output) {
-  const bool isTraced = output.kind == Output::Kind::color || output.kind == Output::Kind::depth ||
-                        output.kind == Output::Kind::normals;
+  const bool isTraced = output.kind <= Kind::normals;
   return isTraced && formatOf(output.file) == PictureFormat::pfm;
 }
 
+void setTarget(Output& output, RenderTargets& targets) {
+  FloatImage* const exact = output.exact.Width() > 0 ? &output.exact : nullptr;
+  if (output.kind == Kind::color) {
+    targets.color = &output.image;
+    targets.exactColor = exact;
+  } else if (output.kind == Kind::depth) {
+    targets.depth = &output.image;
+    targets.exactDepth = exact;
+    targets.depthMin = output.depthMin;
+    targets.depthMax = output.depthMax;
+  } else if (output.kind == Kind::normals) {
+    targets.normals = &output.image;
+    targets.exactNormals = exact;
+  } else if (output.kind == Kind::samples) {
+    targets.samples = &output.image;
+    targets.samplesZoom = output.zoom;
+  } else if (output.kind == Kind::materials) {
+    targets.materials = &output.image;
+  }
+}
+
 void write(const Output& output, int threads) {
-  if (output.kind == Output::Kind::rays) {
+  if (output.kind == Kind::rays) {
     return writeFile(output.file, output.text.data(), output.text.size());
   }
   if (wantsFloats(output)) return writePicture(output.exact, output.file);
@@ -42,20 +120,47 @@ void write(const Output& output, int threads) {
 
 }  // namespace
 
-std::vector<Output> wantedOutputs(const Options& options) {
-  std::vector<Output> outputs;
-  const auto add = [&](Output::Kind kind, const std::string& file) {
-    if (!file.empty()) outputs.push_back({kind, file, Image(), TgaPlace(), FloatImage(), "", true});
-  };
-  add(Output::Kind::color, options.output);
-  add(Output::Kind::depth, options.depthOutput);
-  add(Output::Kind::normals, options.normalsOutput);
-  add(Output::Kind::samples, options.samplesOutput);
-  add(Output::Kind::filter, options.filterOutput);
-  add(Output::Kind::materials, options.materialsOutput);
-  add(Output::Kind::heatmap, options.heatmapOutput);
-  add(Output::Kind::rays, options.pixelObjOutput);
-  return outputs;
+bool isSameOutput(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  return (a == "-" && b == "-") || isSamePlace(outputPath(a), outputPath(b));
+}
+
+void checkFiles(const RenderRequest& render, const std::string& checkpoint,
+                const std::vector<std::string>& meshFiles) {
+  const NamedFile input = {"-input", render.picture.scene};
+  const std::vector<NamedFile> outputs = namedOutputs(render.results, checkpoint);
+  const std::string printing = printingArgument(render.results);
+  for (const NamedFile& output : outputs) {
+    if (isSamePlace(inputPath(input.file), outputPath(output.file))) refuse(input, output);
+    if (!printing.empty() && isSameOutput(output.file, "-")) {
+      throw UsageError(printing + ": expected standard output for its lines, found an image there");
+    }
+    for (const NamedFile* other = outputs.data(); other != &output; ++other) {
+      if (isSameOutput(other->file, output.file)) refuse(*other, output);
+    }
+    for (const std::string& mesh : meshFiles) {
+      if (!isSameOutput(mesh, output.file)) continue;
+      throw UsageError(std::string(output.argument) +
+                       ": expected a file that the scene does not read, found '" + output.file +
+                       "', one of its meshes");
+    }
+  }
+}
+
+void checkMergedFiles(const MergeRequest& merge) {
+  for (const std::string& part : merge.parts) {
+    if (isSameOutput(part, merge.output)) refuse({"-merge: OUT", merge.output}, {"PART", part});
+  }
+}
+
+std::vector<Output> outputsOf(const ResultRequest& results) {
+  return {results.outputs.begin(), results.outputs.end()};
+}
+
+Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind) {
+  const auto isOfKind = [kind](const Output& output) { return output.kind == kind; };
+  const auto found = std::find_if(outputs.begin(), outputs.end(), isOfKind);
+  return found != outputs.end() ? &*found : nullptr;
 }
 
 std::size_t markUnwritable(std::vector<Output>& outputs) {
@@ -67,19 +172,38 @@ std::size_t markUnwritable(std::vector<Output>& outputs) {
   return writable;
 }
 
-void makeImages(std::vector<Output>& outputs, const Options& options) {
+void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
+  const PixelRectangle& area = picture.area;
   for (Output& output : outputs) {
-    if (output.kind == Output::Kind::filter) {
-      const SamplingOptions& sampling = options.render.sampling;
-      output.image = drawFilter({sampling.filter, sampling.filterSize}, options.width,
-                                options.height, options.filterZoom);
-    } else if (output.kind != Output::Kind::rays) {
-      const int zoom = output.kind == Output::Kind::samples ? options.samplesZoom : 1;
-      const PixelRectangle area = renderedArea(options);
-      output.image = Image(area.width() * zoom, area.height() * zoom);
+    if (output.kind == Kind::filter) {
+      const SamplingOptions& sampling = picture.render.sampling;
+      output.image = drawFilter({sampling.filter, sampling.filterSize}, picture.width,
+                                picture.height, output.zoom);
+    } else if (output.kind != Kind::rays) {
+      output.image = Image(area.width() * output.zoom, area.height() * output.zoom);
       if (wantsFloats(output)) output.exact = FloatImage(area.width(), area.height());
     }
   }
+}
+
+RenderTargets targetsOf(const RenderRequest& render, std::vector<Output>& outputs,
+                        Image& unwritten) {
+  const PictureRequest& picture = render.picture;
+  const ResultRequest& results = render.results;
+  RenderTargets targets;
+  targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
+  for (Output& output : outputs) setTarget(output, targets);
+  const auto isPicture = [](const Output& output) { return output.kind != Kind::rays; };
+  const bool hasPicture = std::any_of(outputs.begin(), outputs.end(), isPicture);
+  if (!wantsRays(targets) && (results.stats || (results.preview && !hasPicture))) {
+    unwritten = Image(picture.area.width(), picture.area.height());
+    targets.color = &unwritten;
+  }
+  return targets;
+}
+
+bool wantsRays(const RenderTargets& targets) {
+  return targets.color || targets.depth || targets.normals || targets.samples || targets.materials;
 }
 
 std::size_t writeAll(const std::vector<Output>& outputs, int threads) {

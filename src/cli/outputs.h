@@ -1,16 +1,31 @@
-// The files of a run: which are wanted, whether they can be written, and writing them.
+// The files of a run: whether each is a file of its own, whether it can be written, its image, and
+// writing it.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/request.h"
 #include "image/image.h"
 #include "image/picture_file.h"
+#include "render/renderer.h"
 
-struct Output {
-  enum class Kind { color, depth, normals, samples, filter, materials, heatmap, rays };
-  Kind kind;
-  std::string file;
+/// True where both outputs go to the same place, whether or not there is a file yet: links are
+/// followed, "-" is standard output, whatever that is. False where one of them is empty, or a
+/// device such as /dev/null, which holds nothing that could be lost.
+bool isSameOutput(const std::string& a, const std::string& b);
+
+/// Throws UsageError where two outputs, of which `checkpoint` is one unless it is empty, are the
+/// same file, or an output is the scene or one of `meshFiles`, or standard output (by whatever
+/// name) where lines are printed there. See isSameOutput.
+void checkFiles(const RenderRequest& render, const std::string& checkpoint,
+                const std::vector<std::string>& meshFiles = {});
+
+/// Throws UsageError where the merged picture would replace one of its parts.
+void checkMergedFiles(const MergeRequest& merge);
+
+struct Output : OutputRequest {
+  explicit Output(const OutputRequest& request) : OutputRequest(request) {}
+
   Image image;             ///< empty until makeImages, of `rays` always
   TgaPlace place;          ///< of a part, where the file is a TGA
   FloatImage exact;        ///< its unclamped colours, empty where the format of the file has none
@@ -18,15 +33,27 @@ struct Output {
   bool isWritable = true;  ///< false where this was tried and complained of
 };
 
-/// The outputs that `options` name, without their images.
-std::vector<Output> wantedOutputs(const Options& options);
+/// The outputs that are wanted, without their images.
+std::vector<Output> outputsOf(const ResultRequest& results);
+
+/// The output of this kind, or null.
+Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind);
 
 /// Marks those that cannot be written, complaining of each, and returns how many can.
 std::size_t markUnwritable(std::vector<Output>& outputs);
 
 /// Gives every output a black image of its size (that of a part where one is wanted), and draws
 /// that of the filter. Throws std::bad_alloc where memory is short.
-void makeImages(std::vector<Output>& outputs, const Options& options);
+void makeImages(std::vector<Output>& outputs, const PictureRequest& picture);
+
+/// Where the pictures go that the renderer fills. Where there is none and -stats needs one, or
+/// -preview has nothing else to show, it is `unwritten`, which then gets an image of its size. What
+/// is returned points into both.
+RenderTargets targetsOf(const RenderRequest& render, std::vector<Output>& outputs,
+                        Image& unwritten);
+
+/// False where the renderer has nothing to do.
+bool wantsRays(const RenderTargets& targets);
 
 /// Writes every output that is not marked with at most `threads` threads, complaining of each that
 /// fails, and returns how many were written.

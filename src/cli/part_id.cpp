@@ -27,21 +27,13 @@ std::string hexadecimal(const Digest& digest) {
   return text;
 }
 
-/// What a run for this kind of picture alone, and all of it, would have been given.
-Options wholeOf(const Options& options, Output::Kind kind) {
-  Options whole = options;
-  const bool isDepth = kind == Output::Kind::depth;
-  whole.output = kind == Output::Kind::color ? "out" : "";
-  whole.depthOutput = isDepth ? "out" : "";
-  whole.normalsOutput = kind == Output::Kind::normals ? "out" : "";
-  whole.depthMin = isDepth ? options.depthMin : 0;
-  whole.depthMax = isDepth ? options.depthMax : 0;
-  const auto isPlace = [](const GivenOption& given) {
-    return given.name == "size" || given.name == "region" || given.name == "tile";
+/// The arguments but those that say which of all pixels are rendered.
+std::vector<GivenArgument> withoutPlace(std::vector<GivenArgument> given) {
+  const auto isPlace = [](const GivenArgument& argument) {
+    return argument.name == "size" || argument.name == "region" || argument.name == "tile";
   };
-  whole.given.erase(std::remove_if(whole.given.begin(), whole.given.end(), isPlace),
-                    whole.given.end());
-  return whole;
+  given.erase(std::remove_if(given.begin(), given.end(), isPlace), given.end());
+  return given;
 }
 
 }  // namespace
@@ -64,8 +56,9 @@ bool readPartId(const std::string& text, PartId& id) {
   return true;
 }
 
-PartId partIdOf(Output::Kind kind, const Options& options, const Digest& scene,
+PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
                 const std::vector<std::string>& meshFiles, int threads) {
-  const Digest digest = pictureFingerprint(wholeOf(options, kind), scene, meshFiles, threads);
-  return {nameOf(kind), options.width, options.height, hexadecimal(digest)};
+  const Digest digest =
+      pictureFingerprint({output}, withoutPlace(render.given), scene, meshFiles, threads);
+  return {nameOf(output.kind), render.picture.width, render.picture.height, hexadecimal(digest)};
 }

@@ -19,9 +19,9 @@ std::string textOf(const PartId& id);
 /// True where `text` is what textOf gives for some `id`, which is then set.
 bool readPartId(const std::string& text, PartId& id);
 
-/// The ID of the parts of this output. The fingerprint is pictureFingerprint's for this kind of
-/// picture alone, and without -size, -region and -tile: so one run may give several kinds, and
-/// another the same ones singly. `kind` is color, depth or normals; for the rest, and errors, see
-/// pictureFingerprint.
-PartId partIdOf(Output::Kind kind, const Options& options, const Digest& scene,
+/// The ID of the parts of this output of the render. The fingerprint is pictureFingerprint's for
+/// this kind of picture alone, and without -size, -region and -tile: so one run may give several
+/// kinds, and another the same ones singly. It is of kind color, depth or normals; for the rest,
+/// and errors, see pictureFingerprint.
+PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
                 const std::vector<std::string>& meshFiles, int threads);

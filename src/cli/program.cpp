@@ -1,16 +1,25 @@
-// The run of the program.
+// The run of the program. A command line is read into a request, and one of five runs answers it: a
+// text about the program, -check, -compare, -merge, or a picture. All of it happens on a thread
+// with a stack of a stated size, and within the memory that -memory_limit grants.
+//
+// Messages go out without a copy: there may be no memory for one.
 #include "cli/program.h"
 
-#include <new>
-#include <stdexcept>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <system_error>
 
+#include "cli/arguments.h"
 #include "cli/compare_run.h"
 #include "cli/merge_run.h"
-#include "cli/option_table.h"
-#include "cli/out_of_memory.h"
+#include "cli/outputs.h"
 #include "cli/render_run.h"
 #include "cli/scene_input.h"
+#include "image/output_file.h"
 #include "system/memory.h"
 #include "system/worker_threads.h"
 
@@ -20,33 +29,42 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-int runHere(const Options& options) {
-  if (options.shortHelp) return print(shortHelp());
-  if (options.help) return print(fullHelp());
-  if (options.version) return print(versionText() + "\n");
-  if (options.man) return print(manPage());
-  if (options.completion) return print(completionScript());
-  if (options.check) return checkScene(options);
-  if (options.compare.isWanted()) return runComparison(options);
-  checkFiles(options);
-  if (options.merge.isWanted()) {
-    return withMemory("to merge", [&] { return runMerge(options.merge); });
+int printText(ProgramText text) {
+  switch (text) {
+    case ProgramText::shortHelp:
+      return print(shortHelp());
+    case ProgramText::help:
+      return print(fullHelp());
+    case ProgramText::version:
+      return print(versionText() + "\n");
+    case ProgramText::man:
+      return print(manPage());
+    default:
+      return print(completionScript());
   }
-  return renderScene(options);
 }
 
-int runOnOwnStack(const Options& options) {
+int answer(const Request& request) {
+  if (request.text != ProgramText::none) return printText(request.text);
+  if (request.check) return checkScene(request.render.picture.scene, request.run.quiet);
+  if (request.compare.isWanted()) return runComparison(request.compare, request.run);
+  if (!request.merge.isWanted()) return renderScene(request.render, request.run);
+  checkMergedFiles(request.merge);
+  return withMemory("to merge", [&] { return runMerge(request.merge); });
+}
+
+int answerOnOwnStack(const Request& request) {
   int status = kDone;
-  runOnThreads(1, kRunStack, [&](int) { status = runHere(options); });
+  runOnThreads(1, kRunStack, [&](int) { status = answer(request); });
   return status;
 }
 
 /// Names the limit where it is what ended the run.
-int runWithin(int megabytes, const Options& options) {
+int answerWithin(int megabytes, const Request& request) {
   const std::string limit = "-memory_limit " + std::to_string(megabytes) + ": ";
   limitMemory(std::size_t(megabytes) << 20);
   try {
-    return runOnOwnStack(options);
+    return answerOnOwnStack(request);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(limit + "not enough memory");
   } catch (const OutOfMemory& error) {
@@ -56,8 +74,42 @@ int runWithin(int megabytes, const Options& options) {
   }
 }
 
+/// Takes what has been written, `size` bytes, off the front of the pieces.
+void drop(std::size_t size, iovec* first, iovec* last) {
+  for (; first != last; ++first) {
+    const std::size_t taken = std::min(size, first->iov_len);
+    first->iov_base = static_cast<char*>(first->iov_base) + taken;
+    first->iov_len -= taken;
+    size -= taken;
+  }
+}
+
+iovec piece(std::string_view text) { return {const_cast<char*>(text.data()), text.size()}; }
+
 }  // namespace
 
-int runProgram(const Options& options) {
-  return options.memoryLimit > 0 ? runWithin(options.memoryLimit, options) : runOnOwnStack(options);
+int runProgram(const std::vector<std::string>& words) {
+  const Request request = parseRequest(words);
+  const int limit = request.run.memoryLimit;
+  return limit > 0 ? answerWithin(limit, request) : answerOnOwnStack(request);
+}
+
+void complain(std::string_view message) {
+  constexpr int kPieces = 3;
+  const std::string_view start = isLineOpen() ? "\nraytracer: " : "raytracer: ";
+  setLineOpen(false);
+  iovec pieces[kPieces] = {piece(start), piece(message), piece("\n")};
+  while (pieces[kPieces - 1].iov_len > 0) {
+    const ssize_t written = writev(STDERR_FILENO, pieces, kPieces);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return;  // nobody to tell
+    drop(std::size_t(written), pieces, pieces + kPieces);
+  }
+}
+
+int print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0 && !std::ferror(stdout)) return kDone;
+  complain("cannot write to standard output");
+  return kOutputFailed;
 }

@@ -1,4 +1,8 @@
-// Rendering: parse, compile once, trace, write.
+// Rendering a scene: parse, compile once, trace, write.
+//
+// The outputs get their images before anything is traced, so that memory is short at the start or
+// not at all. The renderer fills most of them in one pass over the picture, each eye ray being cast
+// once; the heat map and the rays of one pixel are traced besides, after it.
 #include "cli/render_run.h"
 
 #include <algorithm>
@@ -8,28 +12,13 @@
 #include "cli/checkpoint.h"
 #include "cli/fingerprint.h"
 #include "cli/inspection.h"
-#include "cli/messages.h"
-#include "cli/out_of_memory.h"
-#include "cli/part_arguments.h"
 #include "cli/part_id.h"
-#include "cli/picture_targets.h"
+#include "cli/program.h"
 #include "cli/run_display.h"
 #include "cli/scene_geometry.h"
 #include "cli/scene_input.h"
-#include "cli/stats.h"
-#include "render/renderer.h"
-#include "system/worker_threads.h"
 
 namespace {
-
-/// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
-int threadCount(const Options& options) {
-  constexpr int kMegabytesEach = 8;
-  const int wanted =
-      options.threads > 0 ? options.threads : std::min(hardwareThreads(), kMaxThreads);
-  if (options.memoryLimit == 0) return wanted;
-  return std::min(wanted, std::max(1, options.memoryLimit / kMegabytesEach));
-}
 
 /// What one thread counts, apart from the others' in memory.
 struct alignas(128) ThreadCounts {
@@ -37,142 +26,181 @@ struct alignas(128) ThreadCounts {
 };
 
 /// Renders, and enters in `stats` what the threads have counted.
-void renderCounted(const SceneParser& scene, const SceneGeometry& geometry, const Options& options,
-                   const RenderTargets& targets, Stats& stats) {
+void renderCounted(const SceneParser& scene, const SceneGeometry& geometry,
+                   const PictureRequest& picture, const RenderTargets& targets, Stats& stats) {
   std::vector<ThreadCounts> counts(std::size_t(stats.threads));
   std::vector<WorkerView> views;
   for (ThreadCounts& each : counts) {
     views.push_back({&geometry.object(), &each.rays});
   }
-  render(scene, geometry.object(), options.render, stats.threads, targets, views);
-  stats.pixels = double(renderedArea(options).pixelCount());
-  stats.countsTests = options.gridPicture == Options::GridPicture::none;
+  render(scene, geometry.object(), picture.render, stats.threads, targets, views);
+  stats.pixels = double(picture.area.pixelCount());
+  stats.countsTests = picture.acceleration.cellPicture == Acceleration::CellPicture::none;
   stats.tests = geometry.tallied();
   for (const ThreadCounts& each : counts) {
     stats.rays.add(each.rays);
   }
 }
 
-/// Builds what answers for the scene's objects, then traces; enters both in `stats`. At last
-/// `inspectAll(geometry)` is called.
-template <class InspectAll>
-void renderAll(const SceneParser& scene, const Options& options, const RenderTargets& targets,
-               Stats& stats, const InspectAll& inspectAll) {
-  stats.threads = threadCount(options);
-  Stopwatch watch;
-  const SceneGeometry geometry(*scene.getGroup(), options, stats.threads);
-  stats.simd = geometry.simd();
-  stats.tree = geometry.description();
-  stats.buildSeconds = watch.restart();
-  if (options.stats) {
-    renderCounted(scene, geometry, options, targets, stats);
-  } else if (wantsRays(targets)) {
-    render(scene, geometry.object(), options.render, stats.threads, targets);
-  }
-  stats.traceSeconds = watch.restart();
-  inspectAll(geometry.object());
+/// The picture that -preview shows where the renderer has filled none; null where there is none.
+const Image* untracedPicture(std::vector<Output>& outputs) {
+  const Output* shown = findOutput(outputs, OutputRequest::Kind::heatmap);
+  if (!shown) shown = findOutput(outputs, OutputRequest::Kind::filter);
+  return shown ? &shown->image : nullptr;
 }
 
-/// What is left to do when all is rendered.
-struct Rendered {
-  std::unique_ptr<Checkpoint> checkpoint;  ///< null where none is wanted
-  std::string lastLines;                   ///< to be printed last
-  int status = kDone;                      ///< kOutputFailed where the preview could not be shown
+/// One run, and what its steps hand on.
+class RenderRun {
+ public:
+  /// Parses the scene. The requests are not owned.
+  RenderRun(const RenderRequest& request, const RunRequest& run)
+      : request_(request),
+        run_(run),
+        scene_(readScene(request, run, notes_)),
+        outputs_(outputsOf(request.results)) {}
+
+  const SceneParser& scene() const { return scene_; }
+  /// To be had when all is traced; the checkpoint has then done its service.
+  std::vector<Output> takeOutputs();
+
+  /// Says what is to be said of the scene, and prepares it for being rendered.
+  void prepare();
+  /// Finds out which outputs can be written, complaining of the others; false where none can that
+  /// is wanted.
+  bool prepareOutputs();
+  /// Compiles the scene and gives every output its image; where -stats or -preview wants rays and
+  /// no output does, traces all the same.
+  void trace();
+  /// Writes the outputs, prints what was found out, and returns the exit status.
+  int write();
+
+ private:
+  void setPlaces();
+  void openCheckpointFor(RenderTargets& targets);
+  void traceRays(const RenderTargets& targets, RunDisplay& display);
+
+  const RenderRequest& request_;
+  const RunRequest& run_;
+  Stopwatch watch_;
+  Stats stats_;
+  ReadNotes notes_;
+  SceneParser scene_;
+  std::vector<Output> outputs_;
+  std::optional<MaterialColors> materialColors_;
+  std::unique_ptr<Checkpoint> checkpoint_;
+  std::string lastLines_;  // to be printed last
+  int status_ = kDone;     // kOutputFailed where the preview could not be shown
 };
 
-/// A checkpoint needs them all: its tiles hold the pixels of every picture, for the run that can
-/// write them again.
-void dropUnwritable(std::vector<Output>& outputs) {
-  const auto isUnwritable = [](const Output& output) { return !output.isWritable; };
-  outputs.erase(std::remove_if(outputs.begin(), outputs.end(), isUnwritable), outputs.end());
+void RenderRun::prepare() {
+  prepareScene(scene_, request_.picture, run_.quiet);
+  stats_.readSeconds = watch_.restart();
+}
+
+bool RenderRun::prepareOutputs() {
+  if (markUnwritable(outputs_) == 0 && !outputs_.empty()) return false;
+  // A checkpoint needs them all: its tiles hold the pixels of every picture, for the run that can
+  // write them again.
+  if (run_.checkpoint.empty()) {
+    const auto isLost = [](const Output& output) { return !output.isWritable; };
+    outputs_.erase(std::remove_if(outputs_.begin(), outputs_.end(), isLost), outputs_.end());
+  }
+  setPlaces();
+  return true;
 }
 
 /// Tells the outputs, where they are parts, which picture they belong to.
-void setPlaces(const SceneParser& scene, const Digest& sceneDigest, const Options& options,
-               std::vector<Output>& outputs) {
-  if (!options.part.isWanted()) return;
-  const PixelRectangle area = renderedArea(options);
-  for (Output& output : outputs) {
+void RenderRun::setPlaces() {
+  const PictureRequest& picture = request_.picture;
+  if (!picture.isPart) return;
+  for (Output& output : outputs_) {
     const PartId id =
-        partIdOf(output.kind, options, sceneDigest, scene.getMeshFiles(), threadCount(options));
-    output.place = {area.left, options.height - area.top, textOf(id)};
+        partIdOf(output, request_, notes_.digest, scene_.getMeshFiles(), run_.threads);
+    output.place = {picture.area.left, picture.height - picture.area.top, textOf(id)};
   }
 }
 
-/// Gives every output its picture; where -stats or -preview wants rays and no output does, traces
-/// all the same. Where a checkpoint is wanted, `scene` is what notes.digest is of, and the
-/// checkpoint is returned.
-Rendered renderOutputs(const SceneParser& scene, const ReadNotes& notes, const Options& options,
-                       std::vector<Output>& outputs, Stats& stats) {
-  const PixelRectangle area = renderedArea(options);
-  const std::string size =
-      std::to_string(area.width()) + " x " + std::to_string(area.height()) + " pixels";
+void RenderRun::openCheckpointFor(RenderTargets& targets) {
+  const Digest fingerprint = pictureFingerprint(request_.results.outputs, request_.given,
+                                                notes_.digest, scene_.getMeshFiles(), run_.threads);
+  checkpoint_ = openCheckpoint(run_.checkpoint, fingerprint, targets, run_.quiet);
+  targets.store = checkpoint_.get();
+}
+
+void RenderRun::trace() {
+  const PictureRequest& picture = request_.picture;
+  const std::string size = std::to_string(picture.area.width()) + " x " +
+                           std::to_string(picture.area.height()) + " pixels";
   Image unwritten;
-  std::optional<MaterialColors> materialColors;
   RenderTargets targets = withMemory("for images of " + size, [&] {
-    makeImages(outputs, options);
-    return targetsOf(options, outputs, unwritten);
+    makeImages(outputs_, picture);
+    return targetsOf(request_, outputs_, unwritten);
   });
-  if (targets.materials) targets.materialColors = &materialColors.emplace(scene);
-  Rendered rendered;
+  if (targets.materials) targets.materialColors = &materialColors_.emplace(scene_);
   const bool isTraced = wantsRays(targets);
-  if (isTraced && !options.checkpoint.empty()) {
-    const Digest picture =
-        pictureFingerprint(options, notes.digest, scene.getMeshFiles(), threadCount(options));
-    rendered.checkpoint = openCheckpoint(options.checkpoint, picture, targets, options.quiet);
-    targets.store = rendered.checkpoint.get();
-  }
-  RunDisplay display(options, targets);
+  if (isTraced && !run_.checkpoint.empty()) openCheckpointFor(targets);
+  RunDisplay display(request_.results.preview, run_.progress, targets);
   if (display.isWanted()) targets.listener = &display;
-  const auto inspectAll = [&](const Object3D& geometry) {
-    display.finish();
-    rendered.status = print(display.lastPicture());
-    const InspectedScene inspected = {scene, notes.places, geometry};
-    drawHeatmap(inspected, options, stats.threads, outputs);
-    rendered.lastLines = inspectPixel(inspected, options, outputs);
-  };
-  if (isTraced || wantsInspection(options)) {
-    withMemory("to render " + size, [&] { renderAll(scene, options, targets, stats, inspectAll); });
+  if (isTraced || wantsInspection(request_.results)) {
+    withMemory("to render " + size, [&] { traceRays(targets, display); });
   }
-  if (rendered.checkpoint) rendered.checkpoint->stop();
-  const Image* const untraced = isTraced ? nullptr : untracedPicture(outputs);
-  if (options.preview && untraced) rendered.status = print(pictureText(*untraced));
-  return rendered;
+  if (checkpoint_) checkpoint_->stop();
+  const Image* const untraced = isTraced ? nullptr : untracedPicture(outputs_);
+  if (request_.results.preview && untraced) status_ = print(pictureText(*untraced));
+}
+
+void RenderRun::traceRays(const RenderTargets& targets, RunDisplay& display) {
+  const PictureRequest& picture = request_.picture;
+  stats_.threads = run_.threads;
+  watch_.restart();
+  const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, run_.threads,
+                               request_.results.stats);
+  stats_.simd = geometry.simd();
+  stats_.tree = geometry.description();
+  stats_.buildSeconds = watch_.restart();
+  if (request_.results.stats) {
+    renderCounted(scene_, geometry, picture, targets, stats_);
+  } else if (wantsRays(targets)) {
+    render(scene_, geometry.object(), picture.render, run_.threads, targets);
+  }
+  stats_.traceSeconds = watch_.restart();
+  display.finish();
+  status_ = print(display.lastPicture());
+  const InspectedScene inspected = {scene_, notes_.places, geometry.object()};
+  drawHeatmap(inspected, picture, run_, outputs_);
+  lastLines_ = inspectPixel(inspected, request_, outputs_);
+}
+
+int RenderRun::write() {
+  watch_.restart();
+  const bool areAllWritten = writeAll(outputs_, run_.threads) == request_.results.outputs.size();
+  if (checkpoint_ && areAllWritten) checkpoint_->remove();
+  stats_.writeSeconds = watch_.restart();
+  const std::string statsText = request_.results.stats ? stats_.text() : "";
+  const int printed = print(legendOf(scene_, outputs_) + statsText + lastLines_);
+  return areAllWritten ? std::max(printed, status_) : kOutputFailed;
+}
+
+std::vector<Output> RenderRun::takeOutputs() {
+  if (checkpoint_) checkpoint_->remove();
+  return std::move(outputs_);
 }
 
 }  // namespace
 
-std::vector<Output> renderPictures(const Options& options) {
-  Stats stats;
-  ReadNotes notes;
-  SceneParser scene = readScene(options, notes);
-  prepareScene(scene, options);
-  std::vector<Output> outputs = wantedOutputs(options);
-  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
-  if (rendered.checkpoint) rendered.checkpoint->remove();
-  return outputs;
+std::vector<Output> renderPictures(const RenderRequest& request, const RunRequest& run) {
+  RenderRun rendering(request, run);
+  rendering.prepare();
+  rendering.trace();
+  return rendering.takeOutputs();
 }
 
-int renderScene(const Options& options) {
-  Stats stats;
-  Stopwatch watch;
-  ReadNotes notes;
-  SceneParser scene = readScene(options, notes);
-  checkFiles(options, scene.getMeshFiles());
-  prepareScene(scene, options);
-  stats.readSeconds = watch.restart();
-
-  std::vector<Output> outputs = wantedOutputs(options);
-  const std::size_t wanted = outputs.size();
-  if (markUnwritable(outputs) == 0 && wanted > 0) return kOutputFailed;
-  if (options.checkpoint.empty()) dropUnwritable(outputs);
-  setPlaces(scene, notes.digest, options, outputs);
-  const Rendered rendered = renderOutputs(scene, notes, options, outputs, stats);
-  watch.restart();
-  const std::size_t written = writeAll(outputs, threadCount(options));
-  if (rendered.checkpoint && written == wanted) rendered.checkpoint->remove();
-  stats.writeSeconds = watch.restart();
-  const std::string statsText = options.stats ? stats.text() : "";
-  const int printed = print(legendOf(scene, outputs) + statsText + rendered.lastLines);
-  return written == wanted ? std::max(printed, rendered.status) : kOutputFailed;
+int renderScene(const RenderRequest& request, const RunRequest& run) {
+  checkFiles(request, run.checkpoint);
+  RenderRun rendering(request, run);
+  checkFiles(request, run.checkpoint, rendering.scene().getMeshFiles());
+  rendering.prepare();
+  if (!rendering.prepareOutputs()) return kOutputFailed;
+  rendering.trace();
+  return rendering.write();
 }

@@ -2,13 +2,13 @@
 #pragma once
 #include <vector>
 
-#include "cli/options.h"
 #include "cli/outputs.h"
+#include "cli/request.h"
 
-/// Reads the scene, renders and writes the outputs that `options` name, prints what they ask for,
+/// Reads the scene, renders and writes the outputs that are wanted, prints what they ask for,
 /// and returns the exit status. Throws UsageError, InputError, std::runtime_error.
-int renderScene(const Options& options);
+int renderScene(const RenderRequest& request, const RunRequest& run);
 
-/// Reads the scene and renders the outputs that `options` name, without writing them. Prints the
+/// Reads the scene and renders the outputs that are wanted, without writing them. Prints the
 /// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
-std::vector<Output> renderPictures(const Options& options);
+std::vector<Output> renderPictures(const RenderRequest& request, const RunRequest& run);

@@ -175,7 +175,7 @@ std::string section(const ComparedPair& pair, std::size_t number) {
 
 }  // namespace
 
-std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareOptions& options) {
+std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& options) {
   std::size_t same = 0;
   for (const ComparedPair& pair : pairs) same += pair.result == ComparedPair::Result::same;
   std::string page = kHead;

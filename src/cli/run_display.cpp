@@ -1,20 +1,59 @@
-// RunDisplay: the thread that finishes a tile when it is time redraws both.
+// The line of progress and the picture on a terminal.
+//
+// The thread that finishes a tile when it is time redraws both. The line is a text behind a
+// carriage return, with blanks for what the last one had too much. The picture is drawn over the
+// last one: the cursor goes up as many lines as that had. Each cell of it is the mean of its pixels
+// so far, by the escape sequences of ECMA-48 with 24-bit colours.
 #include "cli/run_display.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
+#include "image/output_file.h"
 #include "render/image_plane.h"
+#include "scene/number_reader.h"
 
 namespace {
 
 /// Seconds between two updates: never more than ten in a second, the last one included.
 constexpr double kPause = 0.125;
 
-bool wantsProgress(const Options& options) {
-  if (options.progress == Options::Progress::automatic) return isatty(STDERR_FILENO) == 1;
-  return options.progress == Options::Progress::on;
+constexpr const char* kUpperHalf = "\xe2\x96\x80";  // U+2580
+constexpr int kFreeLines = 2;
+constexpr int kMostColumns = 1000;
+
+int fromEnvironment(const char* name, int otherwise) {
+  const char* const word = std::getenv(name);
+  int value = 0;
+  return word && readInt(word, value) && value > 0 ? value : otherwise;
+}
+
+std::string number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 10) return number("%.1f s", seconds);
+  if (seconds < 100) return number("%.0f s", seconds);
+  if (seconds < 6000) return number("%.0f min", seconds / 60);
+  return number("%.1f h", seconds / 3600);
+}
+
+std::string rate(double perSecond) {
+  if (perSecond < 1e3) return number("%.0f", perSecond);
+  return perSecond < 1e6 ? number("%.1f k", perSecond / 1e3) : number("%.2f M", perSecond / 1e6);
+}
+
+bool wantsProgress(RunRequest::Progress progress) {
+  if (progress == RunRequest::Progress::automatic) return isatty(STDERR_FILENO) == 1;
+  return progress == RunRequest::Progress::on;
 }
 
 const Image* shownOf(const RenderTargets& targets) {
@@ -23,70 +62,160 @@ const Image* shownOf(const RenderTargets& targets) {
   return targets.samples;
 }
 
+/// The cursor goes up so many lines.
+std::string linesUp(int lines) {
+  return lines > 0 ? "\033[" + std::to_string(lines) + "A" : std::string();
+}
+
 }  // namespace
 
-RunDisplay::RunDisplay(const Options& options, const RenderTargets& targets)
-    : showsProgress_(wantsProgress(options)),
-      image_(options.preview ? shownOf(targets) : nullptr),
-      isPictureLive_(image_ && isatty(STDOUT_FILENO) == 1),
-      line_(showsProgress_) {
-  if (!image_) return;
-  zoom_ = image_ == targets.samples ? targets.samplesZoom : 1;
-  picture_.emplace(image_->Width(), image_->Height(), terminalSize(STDOUT_FILENO));
-}
-
-void RunDisplay::begins(double eyeRays) {
-  allRays_ = eyeRays;
-  watch_.restart();
-  nextTime_ = kPause;
-}
-
-/// Each thread adds the pixels that it has just set itself: others may be about to change theirs.
-void RunDisplay::tileIsDone(const PixelRectangle& area, double eyeRays) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  rays_ += eyeRays;
-  if (isPictureLive_) addToPicture(area);
-  seconds_ += watch_.restart();
-  if (seconds_ < nextTime_) return;
-  nextTime_ = seconds_ + kPause;
-  if (isPictureLive_) {
-    const std::string text = pictureInPlace();
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
+TerminalSize terminalSize(int terminal) {
+  winsize size = {};
+  if (ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+    return {size.ws_col, size.ws_row};
   }
-  if (rays_ < allRays_) line_.show(rays_, allRays_, seconds_);  // the last one comes by finish()
+  return {fromEnvironment("COLUMNS", 80), fromEnvironment("LINES", 24)};
 }
 
-void RunDisplay::finish() {
-  if (allRays_ == 0) return;
-  seconds_ += watch_.restart();
-  line_.finish(allRays_, seconds_);
+TerminalPicture::TerminalPicture(int width, int height, const TerminalSize& terminal)
+    : width_(width), height_(height) {
+  const int mostColumns = std::clamp(terminal.columns, 1, kMostColumns);
+  const int mostRows = 2 * std::clamp(terminal.lines - kFreeLines, 1, kMostColumns);
+  const double smaller = std::min({1.0, mostColumns / double(width), mostRows / double(height)});
+  columns_ = std::clamp(int(std::lround(width * smaller)), 1, std::min(width, mostColumns));
+  rows_ = std::clamp(int(std::lround(height * smaller)), 1, std::min(height, mostRows));
+  cells_.resize(std::size_t(columns_) * std::size_t(rows_));
 }
 
-std::string RunDisplay::lastPicture() const {
-  if (!picture_) return "";
-  // The line of progress, where it is shown on the same terminal, has been ended.
-  const int above = linesDrawn_ + int(showsProgress_ && isatty(STDERR_FILENO) == 1);
-  const std::string start =
-      linesDrawn_ > 0 ? "\033[" + std::to_string(above) + "A\r\033[J" : std::string();
-  return start + pictureText(*image_);
+void TerminalPicture::add(const Image& image, int left, int bottom, int right, int top) {
+  for (int j = bottom; j < top; ++j) {
+    const auto row = std::size_t((height_ - 1 - j) * std::int64_t(rows_) / height_);
+    for (int i = left; i < right; ++i) {
+      const auto column = std::size_t(i * std::int64_t(columns_) / width_);
+      Cell& cell = cells_[row * std::size_t(columns_) + column];
+      const Rgb8 pixel = image.getPixel(i, j);
+      cell.red += pixel.r;
+      cell.green += pixel.g;
+      cell.blue += pixel.b;
+      cell.pixels += 1;
+    }
+  }
 }
 
-void RunDisplay::addToPicture(const PixelRectangle& area) {
-  picture_->add(*image_, area.left * zoom_, area.bottom * zoom_, area.right * zoom_,
-                area.top * zoom_);
+std::string TerminalPicture::color(int kind, const Cell& cell) {
+  const auto mean = [&](double sum) {
+    return std::to_string(cell.pixels > 0 ? std::lround(sum / cell.pixels) : 0);
+  };
+  return "\033[" + std::to_string(kind) + ";2;" + mean(cell.red) + ";" + mean(cell.green) + ";" +
+         mean(cell.blue) + "m";
 }
 
-/// Begins below the last one, in the line of progress, and ends there again.
-std::string RunDisplay::pictureInPlace() {
-  std::string start = "\r\033[K";
-  if (linesDrawn_ > 0) start += "\033[" + std::to_string(linesDrawn_) + "A";
-  linesDrawn_ = picture_->lines();
-  return start + picture_->text();
+/// A colour is named only where it is another than the last one.
+std::string TerminalPicture::text() const {
+  std::string text;
+  for (int row = 0; row < rows_; row += 2) {
+    std::string lastUpper, lastLower;
+    for (int column = 0; column < columns_; ++column) {
+      const std::size_t at = std::size_t(row) * std::size_t(columns_) + std::size_t(column);
+      const std::string upper = color(38, cells_[at]);
+      const bool hasLower = row + 1 < rows_;
+      const std::string lower = hasLower ? color(48, cells_[at + std::size_t(columns_)]) : "";
+      if (upper != lastUpper) text += upper;
+      if (lower != lastLower) text += lower;
+      text += kUpperHalf;
+      lastUpper = upper;
+      lastLower = lower;
+    }
+    text += "\033[0m\n";
+  }
+  return text;
 }
 
 std::string pictureText(const Image& image) {
   TerminalPicture picture(image.Width(), image.Height(), terminalSize(STDOUT_FILENO));
   picture.add(image, 0, 0, image.Width(), image.Height());
   return picture.text();
+}
+
+std::string progressText(double rays, double allRays, double seconds) {
+  constexpr double kLeast = 1e-6;
+  const double done = std::min(rays / allRays, 1.0);
+  std::string text = number("%3.0f %%, ", done < 1 ? std::min(100 * done, 99.0) : 100) +
+                     rate(rays / std::max(seconds, kLeast)) + " eye rays/s, ";
+  if (done >= 1) return text + duration(seconds);
+  return text + (done > 0 ? duration(seconds / done * (1 - done)) : "some time") + " left";
+}
+
+RunDisplay::RunDisplay(bool preview, RunRequest::Progress progress, const RenderTargets& targets)
+    : showsProgress_(wantsProgress(progress)),
+      image_(preview ? shownOf(targets) : nullptr),
+      isPictureLive_(image_ && isatty(STDOUT_FILENO) == 1),
+      zoom_(image_ && image_ == targets.samples ? targets.samplesZoom : 1) {
+  if (image_) picture_.emplace(image_->Width(), image_->Height(), terminalSize(STDOUT_FILENO));
+}
+
+RunDisplay::~RunDisplay() {
+  if (!isProgressOpen_ || !isLineOpen()) return;  // a message may have ended it
+  std::fputc('\n', stderr);
+  setLineOpen(false);
+}
+
+void RunDisplay::begins(double eyeRays) {
+  allRays_ = eyeRays;
+  start_ = Clock::now();
+  nextTime_ = kPause;
+}
+
+double RunDisplay::secondsPassed() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+/// Each thread adds the pixels that it has just set itself: others may be about to change theirs.
+void RunDisplay::tileIsDone(const PixelRectangle& area, double eyeRays) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rays_ += eyeRays;
+  if (isPictureLive_) {
+    picture_->add(*image_, area.left * zoom_, area.bottom * zoom_, area.right * zoom_,
+                  area.top * zoom_);
+  }
+  const double seconds = secondsPassed();
+  if (seconds < nextTime_) return;
+  nextTime_ = seconds + kPause;
+  if (isPictureLive_) drawPicture();
+  if (rays_ < allRays_) drawProgress(rays_);  // the last one comes by finish()
+}
+
+/// Begins below the last one, in the line of progress, and ends there again.
+void RunDisplay::drawPicture() {
+  const std::string text = "\r\033[K" + linesUp(linesDrawn_) + picture_->text();
+  linesDrawn_ = picture_->lines();
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+}
+
+void RunDisplay::drawProgress(double rays) {
+  if (!showsProgress_) return;
+  std::string text = progressText(rays, allRays_, secondsPassed());
+  const std::size_t length = text.size();
+  if (length < lengthDrawn_) text.append(lengthDrawn_ - length, ' ');
+  lengthDrawn_ = length;
+  setLineOpen(isProgressOpen_ = true);
+  text.insert(0, "\rraytracer: ");
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+void RunDisplay::finish() {
+  if (allRays_ == 0 || !showsProgress_) return;
+  drawProgress(allRays_);
+  std::fputc('\n', stderr);
+  setLineOpen(isProgressOpen_ = false);
+}
+
+std::string RunDisplay::lastPicture() const {
+  if (!picture_) return "";
+  if (linesDrawn_ == 0) return pictureText(*image_);
+  // The line of progress, where it is shown on the same terminal, has been ended.
+  const int above = linesDrawn_ + int(showsProgress_ && isatty(STDERR_FILENO) == 1);
+  return linesUp(above) + "\r\033[J" + pictureText(*image_);
 }

@@ -1,21 +1,68 @@
-// RunDisplay: what the user sees while the picture is traced: a line of progress, and the picture
-// itself. Both change a few times a second, whatever the number of tiles.
+// What the user sees while the picture is traced: a line of progress, and the picture itself in
+// coloured characters. Both change a few times a second, whatever the number of tiles.
 #pragma once
+#include <chrono>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "cli/options.h"
-#include "cli/progress_line.h"
-#include "cli/stats.h"
-#include "cli/terminal_picture.h"
+#include "cli/request.h"
+#include "image/image.h"
 #include "render/renderer.h"
 #include "render/tile_hooks.h"
 
+/// Columns and lines of a terminal.
+struct TerminalSize {
+  int columns, lines;
+};
+
+/// The size of the window that file descriptor `terminal` is; where it is none, what COLUMNS and
+/// LINES say; 80 x 24 where they do not.
+TerminalSize terminalSize(int terminal);
+
+/// A picture in coloured characters, each of which shows two cells one above the other: the upper
+/// half block U+2580 in the colour of the upper one, before that of the lower one.
+class TerminalPicture {
+ public:
+  /// For a picture of so many pixels, made smaller (never larger) as far as it does not fit into
+  /// the terminal, two lines of which are left free.
+  TerminalPicture(int width, int height, const TerminalSize& terminal);
+
+  int lines() const { return (rows_ + 1) / 2; }
+
+  /// Adds the pixels left <= i < right, bottom <= j < top of the picture, each of them once.
+  void add(const Image& image, int left, int bottom, int right, int top);
+  /// The whole of it, with a line break behind each line: each cell the mean of its pixels so far.
+  std::string text() const;
+
+ private:
+  struct Cell {
+    double red = 0, green = 0, blue = 0, pixels = 0;
+  };
+  /// The sequence for 24-bit colour: `kind` is 38 for what is drawn, 48 for what is behind it.
+  static std::string color(int kind, const Cell& cell);
+
+  int width_, height_, columns_, rows_;
+  std::vector<Cell> cells_;  // row by row from the top
+};
+
+/// A picture in coloured characters, as large as the window that standard output is.
+std::string pictureText(const Image& image);
+
+/// "42 %, 1.5 M eye rays/s, 12 s left", or, where all is done, the time it took.
+std::string progressText(double rays, double allRays, double seconds);
+
 class RunDisplay : public TileListener {
  public:
-  /// Shows one of the pictures in `targets`: the colours where they are wanted, else normals,
-  /// depth, materials or samples; none where there are none. The images are not owned.
-  RunDisplay(const Options& options, const RenderTargets& targets);
+  /// Where `preview`, shows one of the pictures in `targets`: the colours where they are wanted,
+  /// else normals, depth, materials or samples; none where there are none. The images are not
+  /// owned.
+  RunDisplay(bool preview, RunRequest::Progress progress, const RenderTargets& targets);
+  /// Ends the line of progress where one is open.
+  ~RunDisplay();
+  RunDisplay(const RunDisplay&) = delete;
+  RunDisplay& operator=(const RunDisplay&) = delete;
 
   /// False where nobody would see anything.
   bool isWanted() const { return showsProgress_ || picture_; }
@@ -27,20 +74,21 @@ class RunDisplay : public TileListener {
   std::string lastPicture() const;
 
  private:
-  void addToPicture(const PixelRectangle& area);
-  std::string pictureInPlace();
+  using Clock = std::chrono::steady_clock;
+
+  double secondsPassed() const;
+  void drawPicture();
+  void drawProgress(double rays);
 
   const bool showsProgress_;
   const Image* const image_;  // what is shown; null where nothing is
   const bool isPictureLive_;  // it is shown as it grows
-  int zoom_ = 1;              // image pixels for each of a tile's
+  const int zoom_;            // image pixels for each of a tile's
   std::optional<TerminalPicture> picture_;
-  int linesDrawn_ = 0;
-  ProgressLine line_;
-  Stopwatch watch_;
-  double allRays_ = 0, rays_ = 0, seconds_ = 0, nextTime_ = 0;
+  int linesDrawn_ = 0;           // of the picture
+  std::size_t lengthDrawn_ = 0;  // of the line of progress
+  bool isProgressOpen_ = false;  // that line has no end yet
+  Clock::time_point start_;
+  double allRays_ = 0, rays_ = 0, nextTime_ = 0;
   std::mutex mutex_;  // guards all that changes while tiles are traced
 };
-
-/// A picture in coloured characters, as large as the window that standard output is.
-std::string pictureText(const Image& image);

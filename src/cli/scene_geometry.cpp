@@ -19,32 +19,33 @@ PhongMaterial paintOf(const Vec3f& color) { return {color, {}, 1, {}, {}, 1}; }
 
 }  // namespace
 
-SceneGeometry::SceneGeometry(const Object3D& root, const Options& options, int threads)
+SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads,
+                             bool counts)
     : object_(&root) {
-  TestTally* const tally = options.stats ? &tally_ : nullptr;
-  if (options.accel == Options::Accel::fast) {
-    object_ = &compiled_.emplace(root, threads, options.simd, tally);
-    simd_ = nameOf(availableSimd(options.simd));
+  TestTally* const tally = counts ? &tally_ : nullptr;
+  if (wanted.kind == Acceleration::Kind::fast) {
+    object_ = &compiled_.emplace(root, threads, wanted.simd, tally);
+    simd_ = nameOf(availableSimd(wanted.simd));
     description_ = compiled_->describe();
-  } else if (options.gridPicture != Options::GridPicture::none) {
-    makeView(root, options);
-  } else if (options.accel == Options::Accel::grid) {
-    object_ = &grid_.emplace(root, options.gridSize, GridLimits{}, tally);
+  } else if (wanted.cellPicture != Acceleration::CellPicture::none) {
+    makeView(root, wanted);
+  } else if (wanted.kind == Acceleration::Kind::grid) {
+    object_ = &grid_.emplace(root, wanted.gridSize, GridLimits{}, tally);
     description_ = grid_->describe();
   } else if (tally) {
     object_ = &counted_.emplace(root, *tally);
   }
 }
 
-void SceneGeometry::makeView(const Object3D& root, const Options& options) {
+void SceneGeometry::makeView(const Object3D& root, const Acceleration& wanted) {
   for (const CountColor& each : kCountColors) palette_.push_back(paintOf(each.color));
   std::vector<const Material*> paints;
-  if (options.gridPicture == Options::GridPicture::cells) {
+  if (wanted.cellPicture == Acceleration::CellPicture::occupied) {
     paints.push_back(&palette_.front());
   } else {
     for (std::size_t i = 0; i < palette_.size(); ++i)
       paints.resize(kCountColors[i].most, &palette_[i]);
   }
-  object_ = &view_.emplace(root, options.gridSize, std::move(paints));
+  object_ = &view_.emplace(root, wanted.gridSize, std::move(paints));
   description_ = "cells of a grid";
 }

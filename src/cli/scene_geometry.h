@@ -9,19 +9,19 @@
 #include "accel/grid/grid.h"
 #include "accel/grid/grid_view.h"
 #include "accel/test_tally.h"
-#include "cli/options.h"
+#include "cli/request.h"
 #include "shading/phong_material.h"
 
 class SceneGeometry {
  public:
-  /// Builds what `options` ask for with `threads` >= 1 threads. `root`, the scene's group, is not
-  /// owned.
-  SceneGeometry(const Object3D& root, const Options& options, int threads);
+  /// Builds what is wanted with `threads` >= 1 threads; where `counts`, a compiled scene counts
+  /// what its answers take. `root`, the scene's group, is not owned.
+  SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads, bool counts);
   SceneGeometry(const SceneGeometry&) = delete;
   SceneGeometry& operator=(const SceneGeometry&) = delete;
 
   const Object3D& object() const { return *object_; }
-  /// What object() has counted: with Options::stats, but for a picture of cells.
+  /// What object() has counted, where it was to count; but for a picture of cells.
   RayTestCounts tallied() const { return tally_.total(); }
   /// The instruction set in use, "none" where there is no choice of one.
   const std::string& simd() const { return simd_; }
@@ -29,7 +29,7 @@ class SceneGeometry {
   const std::string& description() const { return description_; }
 
  private:
-  void makeView(const Object3D& root, const Options& options);
+  void makeView(const Object3D& root, const Acceleration& wanted);
 
   TestTally tally_;
   std::optional<CountingTree> counted_;

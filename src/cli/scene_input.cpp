@@ -2,9 +2,8 @@
 #include "cli/scene_input.h"
 
 #include "accel/compiled_scene.h"
-#include "cli/messages.h"
-#include "cli/out_of_memory.h"
-#include "cli/sampling_arguments.h"
+#include "cli/program.h"
+#include "render/sampler.h"
 #include "scene/input_error.h"
 #include "scene/source_text.h"
 
@@ -18,52 +17,70 @@ bool needsClosedMeshes(const RenderOptions& render) {
   return render.transparentShadows || render.nestedDielectrics || render.fresnel;
 }
 
-void warnOfSimd(const Options& options) {
-  const SimdLevel available = availableSimd(options.simd);
-  if (options.simd == SimdLevel::automatic || available == options.simd) return;
-  complain(std::string("warning: -simd ") + nameOf(options.simd) +
-           ": this processor does not have it; " + nameOf(available) + " is used");
+void warnOfSimd(SimdLevel wanted) {
+  const SimdLevel available = availableSimd(wanted);
+  if (wanted == SimdLevel::automatic || available == wanted) return;
+  complain(std::string("warning: -simd ") + nameOf(wanted) + ": this processor does not have it; " +
+           nameOf(available) + " is used");
 }
 
-void printWarnings(const SceneParser& scene, const Options& options) {
-  if (options.quiet) return;
+/// Which numbers of samples are rounded up, and to what; "" where none is.
+std::string roundingWarning(const SamplingOptions& wanted) {
+  using Pattern = SamplingOptions::Pattern;
+  const auto sampler = makeSampler(wanted);
+  const int first = sampler->getNumFirst(), most = sampler->getNumSamples();
+  const std::string samples = std::to_string(wanted.samples);
+  if (wanted.pattern == Pattern::adaptive) {
+    if (first == wanted.samples && most == wanted.maxSamples) return "";
+    return "-adaptive_samples " + samples + " " + std::to_string(wanted.maxSamples) +
+           ": rounded up to " + std::to_string(first) + " and " + std::to_string(most) +
+           ", a square and this times a power of 4";
+  }
+  if (wanted.pattern == Pattern::center || most == wanted.samples) return "";
+  const bool isUniform = wanted.pattern == Pattern::uniform;
+  return std::string(isUniform ? "-uniform_samples " : "-jittered_samples ") + samples +
+         ": rounded up to " + std::to_string(most) + ", a square";
+}
+
+void printWarnings(const SceneParser& scene, const PictureRequest& picture) {
   for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
-  warnOfSimd(options);
-  const std::string rounding = roundingWarning(options);
+  warnOfSimd(picture.acceleration.simd);
+  const std::string rounding = roundingWarning(picture.render.sampling);
   if (!rounding.empty()) complain("warning: " + rounding);
 }
 
 }  // namespace
 
-SceneParser readScene(const Options& options, ReadNotes& notes) {
-  return withMemory("to read " + displayName(options.input), [&] {
-    const SourceText text = SourceText::read(options.input);
+SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNotes& notes) {
+  const std::string& file = render.picture.scene;
+  return withMemory("to read " + displayName(file), [&] {
+    const SourceText text = SourceText::read(file);
     const std::string_view bytes = text.bytes();
-    if (!options.checkpoint.empty() || options.part.isWanted()) {
+    if (!run.checkpoint.empty() || render.picture.isPart) {
       notes.digest = sha256(bytes.data(), bytes.size());
     }
-    return SceneParser(text, options.tracesPixel ? &notes.places : nullptr);
+    return SceneParser(text, render.results.pixel ? &notes.places : nullptr);
   });
 }
 
-void prepareScene(SceneParser& scene, const Options& options) {
-  printWarnings(scene, options);
-  if (needsClosedMeshes(options.render)) {
+void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet) {
+  if (!quiet) printWarnings(scene, picture);
+  if (needsClosedMeshes(picture.render)) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
 }
 
-int checkScene(const Options& options) {
+int checkScene(const std::string& file, bool quiet) {
   std::vector<std::string> warnings;
-  const std::vector<InputError> mistakes = withMemory("to read " + displayName(options.input), [&] {
-    return SceneParser::check(options.input.c_str(), options.quiet ? nullptr : &warnings);
+  const std::vector<InputError> mistakes = withMemory("to read " + displayName(file), [&] {
+    return SceneParser::check(file.c_str(), quiet ? nullptr : &warnings);
   });
   for (const std::string& warning : warnings) complain("warning: " + warning);
   for (const InputError& mistake : mistakes) complain(mistake.what());
   if (mistakes.size() >= MistakeLog::kCapacity) {
-    complain(displayName(options.input) + ": reading ended with mistake number " +
+    complain(displayName(file) + ": reading ended with mistake number " +
              std::to_string(mistakes.size()));
   }
   if (!mistakes.empty()) return kSceneAtFault;
-  return print(displayName(options.input) + ": no mistakes found\n");
+  return print(displayName(file) + ": no mistakes found\n");
 }

@@ -1,4 +1,4 @@
-// Command lines in tests: words that parseOptions reads.
+// Command lines in tests: words that parseRequest reads.
 #pragma once
 #include <algorithm>
 #include <iterator>
@@ -7,23 +7,23 @@
 #include <vector>
 
 #include "cli/desk.h"
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 
 namespace check {
 
 using Words = std::vector<std::string>;
 
 /// Parses a complete command that also has `words`.
-inline Options parse(const Words& words) {
+inline Request parse(const Words& words) {
   const std::string name =
       words.empty() ? ""
                     : words[0].substr(std::min(words[0].size(), words[0].find_first_not_of('-')));
-  const OptionRow* row = findOption(name);
+  const ArgumentRow* row = findArgument(name);
   Words all = {"-input", "scene.txt", "-output", "out.tga"};
-  if (row && row->mode == OptionRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
-  if (row && row->mode == OptionRow::Mode::merging) all.clear();
+  if (row && row->mode == ArgumentRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
+  if (row && row->mode == ArgumentRow::Mode::merging) all.clear();
   all.insert(all.end(), words.begin(), words.end());
-  return parseOptions(all);
+  return parseRequest(all);
 }
 
 /// The message for a wrong command that begins with `words`; "" where it is right.

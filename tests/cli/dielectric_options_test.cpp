@@ -1,6 +1,6 @@
 // -nested_dielectrics and -fresnel, from the command line to the bytes of a picture.
 #include "check.h"
-#include "cli/options.h"
+#include "cli/request.h"
 #include "run_program.h"
 
 namespace {
@@ -74,7 +74,7 @@ TEST("both are off unless given") {
   const auto parse = [](const std::vector<std::string>& more) {
     std::vector<std::string> words = {"-input", "a", "-output", "b"};
     words.insert(words.end(), more.begin(), more.end());
-    return parseOptions(words).render;
+    return parseRequest(words).render.picture.render;
   };
   CHECK(!parse({}).nestedDielectrics && !parse({}).fresnel);
   CHECK(parse({"-nested_dielectrics"}).nestedDielectrics &&

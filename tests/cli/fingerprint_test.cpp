@@ -5,19 +5,21 @@
 #include <sstream>
 
 #include "check.h"
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 #include "run_program.h"
 
 namespace {
 
-Options parse(const std::string& words) {
+RenderRequest parse(const std::string& words) {
   std::istringstream in("-input scene.txt -output a " + words);
-  return parseOptions({std::istream_iterator<std::string>(in), {}});
+  return parseRequest({std::istream_iterator<std::string>(in), {}}).render;
 }
 
 Digest of(const std::string& words, const std::vector<std::string>& meshes = {},
           const std::string& scene = "scene") {
-  return pictureFingerprint(parse(words), sha256(scene.data(), scene.size()), meshes, 2);
+  const RenderRequest render = parse(words);
+  return pictureFingerprint(render.results.outputs, render.given,
+                            sha256(scene.data(), scene.size()), meshes, 2);
 }
 
 }  // namespace
@@ -74,7 +76,7 @@ TEST("an argument that is new is taken to change pixels until it is listed as on
       "accel", "simd",       "threads",    "stats",        "quiet",          "check",
       "help",  "version",    "checkpoint", "memory_limit", "progress",       "preview",
       "man",   "completion", "materials",  "heatmap",      "pixel_obj"};
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     CHECK_EQUAL(changesPicture(row.name), listed.count(row.name) == 0);
   }
 }

@@ -1,6 +1,6 @@
 // -grid and the pictures of its cells, on the command line.
 #include "check.h"
-#include "cli/options.h"
+#include "cli/request.h"
 #include "desk.h"
 
 using check::contains;
@@ -10,11 +10,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Parses a complete command that also has `words`.
-Options parse(const Words& words) {
+/// What a complete command that also has `words` wants of the scene's geometry.
+Acceleration parse(const Words& words) {
   Words all = {"-input", "scene.txt", "-output", "out.tga"};
   all.insert(all.end(), words.begin(), words.end());
-  return parseOptions(all);
+  return parseRequest(all).render.picture.acceleration;
 }
 
 /// The message for a wrong command; "" where it is right.
@@ -30,11 +30,11 @@ std::string mistake(const Words& words) {
 }  // namespace
 
 TEST("-grid takes three numbers within its limits, and the last of -grid and -accel counts") {
-  const Options o = parse({"-grid", "1024", "1", "16"});
-  CHECK(o.accel == Options::Accel::grid);
+  const Acceleration o = parse({"-grid", "1024", "1", "16"});
+  CHECK(o.kind == Acceleration::Kind::grid);
   CHECK(o.gridSize == (GridSize{1024, 1, 16}));
-  CHECK(parse({"-grid", "2", "3", "4", "-accel", "tree"}).accel == Options::Accel::tree);
-  CHECK(parse({"-accel", "tree", "-grid", "2", "3", "4"}).accel == Options::Accel::grid);
+  CHECK(parse({"-grid", "2", "3", "4", "-accel", "tree"}).kind == Acceleration::Kind::tree);
+  CHECK(parse({"-accel", "tree", "-grid", "2", "3", "4"}).kind == Acceleration::Kind::grid);
   CHECK(contains(mistake({"-grid", "2", "0", "4"}), "from 1 to 1024 for NY, found '0'"));
   CHECK(contains(mistake({"-grid", "2", "3", "1025"}), "from 1 to 1024 for NZ, found '1025'"));
   CHECK(contains(mistake({"-grid", "x", "3", "4"}), "for NX, found 'x'"));
@@ -44,10 +44,10 @@ TEST("-grid takes three numbers within its limits, and the last of -grid and -ac
 }
 
 TEST("the cells of a grid can be drawn only where there is a grid") {
-  using Picture = Options::GridPicture;
-  CHECK(parse({}).gridPicture == Picture::none);
-  CHECK(parse({"-visualize_grid", "-grid", "2", "2", "2"}).gridPicture == Picture::cells);
-  CHECK(parse({"-grid", "2", "2", "2", "-visualize_grid_count"}).gridPicture == Picture::counts);
+  using Picture = Acceleration::CellPicture;
+  CHECK(parse({}).cellPicture == Picture::none);
+  CHECK(parse({"-visualize_grid", "-grid", "2", "2", "2"}).cellPicture == Picture::occupied);
+  CHECK(parse({"-grid", "2", "2", "2", "-visualize_grid_count"}).cellPicture == Picture::counts);
   const std::string wanted = ": expected a grid to draw, for example -grid 20 20 20, found none";
   CHECK_EQUAL(mistake({"-visualize_grid"}), "-visualize_grid" + wanted);
   CHECK_EQUAL(mistake({"-visualize_grid_count"}), "-visualize_grid_count" + wanted);

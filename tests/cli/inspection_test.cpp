@@ -1,6 +1,6 @@
 // -pixel, -pixel_obj, -materials and -heatmap on the command line.
 #include "check.h"
-#include "cli/options.h"
+#include "cli/request.h"
 #include "desk.h"
 #include "image/picture_file.h"
 
@@ -13,7 +13,7 @@ namespace {
 std::string mistake(std::vector<std::string> words) {
   words.insert(words.begin(), {"-input", "scene.txt"});
   try {
-    parseOptions(words);
+    parseRequest(words);
   } catch (const UsageError& error) {
     return error.what();
   }

@@ -1,6 +1,4 @@
 // What the program says on standard error: every byte, and each line whole.
-#include "cli/messages.h"
-
 #include <fcntl.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "check.h"
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "run_program.h"
 

@@ -1,7 +1,6 @@
 // The table of all arguments, and the texts that list them.
-#include "cli/option_table.h"
-
 #include "check.h"
+#include "cli/arguments.h"
 #include "cli/command_words.h"
 #include "run_program.h"
 
@@ -10,14 +9,14 @@ using check::contains, check::mistake, check::split, check::Words;
 namespace {
 
 /// The words that must be given beside an argument.
-Words companionsOf(const OptionRow& row) {
+Words companionsOf(const ArgumentRow& row) {
   const bool drawsGrid = std::string(row.name).rfind("visualize_grid", 0) == 0;
   if (std::string(row.name) == "pixel_obj") return {"-pixel", "1", "1"};
   return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
 }
 
 /// Right words for an argument, from the names that the table gives them.
-Words sampleWords(const OptionRow& row) {
+Words sampleWords(const ArgumentRow& row) {
   Words words = split(row.words);
   for (std::string& word : words) {
     if (word == "FILE") word = "file";
@@ -35,11 +34,11 @@ Words sampleWords(const OptionRow& row) {
 }  // namespace
 
 TEST("limits in the help are the limits of the parser") {
-  CHECK(contains(findOption("bounces")->help, "to " + std::to_string(kMaxBounces)));
-  CHECK(contains(findOption("threads")->help, "to " + std::to_string(kMaxThreads)));
-  CHECK(contains(findOption("size")->help, "to " + std::to_string(kMaxImageSide)));
-  CHECK(contains(findOption("grid")->help, "to " + std::to_string(kMaxGridSide)));
-  CHECK(contains(findOption("grid")->help, "most " + std::to_string(kMaxGridCells)));
+  CHECK(contains(helpOf(*findArgument("bounces")), "to " + std::to_string(kMaxBounces)));
+  CHECK(contains(helpOf(*findArgument("threads")), "to " + std::to_string(kMaxThreads)));
+  CHECK(contains(helpOf(*findArgument("size")), "to " + std::to_string(kMaxImageSide)));
+  CHECK(contains(helpOf(*findArgument("grid")), "to " + std::to_string(kMaxGridSide)));
+  CHECK(contains(helpOf(*findArgument("grid")), "most " + std::to_string(kMaxGridCells)));
 }
 
 TEST("every argument of the contract is in the table") {
@@ -76,11 +75,11 @@ TEST("every argument of the contract is in the table") {
                            "region",
                            "tile",
                            "merge"})
-    CHECK(findOption(name) != nullptr);
+    CHECK(findArgument(name) != nullptr);
 }
 
 TEST("every argument of the table is read under each name with one dash or two") {
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     for (const char* name : {row.name, row.otherName}) {
       if (!name) continue;
       for (const char* dashes : {"-", "--"}) {
@@ -94,7 +93,7 @@ TEST("every argument of the table is read under each name with one dash or two")
 }
 
 TEST("every argument that misses its last word is a mistake that names it") {
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     if (countWords(row) == 0) continue;
     Words words = sampleWords(row);
     words.insert(words.begin(), std::string("-") + row.name);
@@ -110,7 +109,7 @@ TEST("the list of arguments has lines of at most 80 columns and names every argu
   std::istringstream lines(fullHelp());
   std::string line;
   while (std::getline(lines, line)) CHECK(line.size() <= 80);
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     const std::string name = std::string("\n  -") + row.name;
     const std::string entry = name + (*row.words ? std::string(" ") + row.words : "");
     CHECK(contains(list, entry));
@@ -124,7 +123,7 @@ TEST("the short help has lines of at most 80 columns and names every argument an
   std::string line;
   while (std::getline(lines, line)) CHECK(line.size() <= 80);
   const Words words = split(shortHelp().substr(shortHelp().find("\n\n")));
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     CHECK_EQUAL(std::count(words.begin(), words.end(), std::string("-") + row.name), 1);
     CHECK(contains(shortHelp(), std::string("\n  ") + row.group));
   }
@@ -132,7 +131,7 @@ TEST("the short help has lines of at most 80 columns and names every argument an
 
 TEST("the rows of one group stand together") {
   std::vector<std::string> groups;
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     if (groups.empty() || groups.back() != row.group) groups.push_back(row.group);
   }
   std::sort(groups.begin(), groups.end());

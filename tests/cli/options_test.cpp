@@ -1,63 +1,75 @@
 // The command line: every argument and its limits.
-#include "cli/options.h"
-
 #include <filesystem>
 
 #include "check.h"
 #include "cli/command_words.h"
+#include "cli/outputs.h"
+#include "cli/request.h"
 #include "run_program.h"
+#include "system/worker_threads.h"
 
 using check::contains, check::mistake, check::parse, check::split, check::Words;
+using Kind = OutputRequest::Kind;
+
+namespace {
+
+/// The name of the output of this kind, which is wanted.
+std::string fileOf(const Request& request, Kind kind) {
+  return request.render.results.find(kind)->file;
+}
+
+}  // namespace
 
 TEST("the course's exact command") {
-  const Options o = parseOptions(split("-input scene.txt -output out.tga -bounces 5 -weight 0.01"));
-  CHECK_EQUAL(o.input, "scene.txt");
-  CHECK_EQUAL(o.output, "out.tga");
-  CHECK_EQUAL(o.render.maxBounces, 5);
-  CHECK_EQUAL(o.render.minWeight, 0.01f);
+  const Request o = parseRequest(split("-input scene.txt -output out.tga -bounces 5 -weight 0.01"));
+  CHECK_EQUAL(o.render.picture.scene, "scene.txt");
+  CHECK_EQUAL(fileOf(o, Kind::color), "out.tga");
+  CHECK_EQUAL(o.render.picture.render.maxBounces, 5);
+  CHECK_EQUAL(o.render.picture.render.minWeight, 0.01f);
 }
 
 TEST("defaults are those of the contract, and those that the table tells") {
-  const Options o = parse({});
-  CHECK_EQUAL(o.width, 100);
-  CHECK_EQUAL(o.height, 100);
-  CHECK(o.depthOutput.empty() && o.normalsOutput.empty());
-  CHECK_EQUAL(o.render.maxBounces, 5);
-  CHECK_EQUAL(o.render.minWeight, 0.01f);
-  CHECK(o.render.shadows && !o.render.transparentShadows && !o.render.shadeBack);
-  CHECK(o.render.epsilon.kind == Epsilon::Kind::automatic);
-  CHECK_EQUAL(o.threads, 0);
-  CHECK(o.accel == Options::Accel::fast);
-  CHECK(o.simd == SimdLevel::automatic);
-  CHECK(!o.quiet && !o.stats && !o.check && !o.help && !o.version);
-  CHECK_EQUAL(findOption("size")->defaultWords, std::string("100 100"));
-  CHECK_EQUAL(findOption("bounces")->defaultWords, std::string("5"));
-  CHECK_EQUAL(findOption("weight")->defaultWords, std::string("0.01"));
-  CHECK_EQUAL(findOption("accel")->defaultWords, std::string("fast"));
-  CHECK_EQUAL(findOption("simd")->defaultWords, std::string("auto"));
+  const Request o = parse({});
+  CHECK_EQUAL(o.render.picture.width, 100);
+  CHECK_EQUAL(o.render.picture.height, 100);
+  CHECK(!o.render.results.find(Kind::depth) && !o.render.results.find(Kind::normals));
+  CHECK_EQUAL(o.render.picture.render.maxBounces, 5);
+  CHECK_EQUAL(o.render.picture.render.minWeight, 0.01f);
+  CHECK(o.render.picture.render.shadows && !o.render.picture.render.transparentShadows &&
+        !o.render.picture.render.shadeBack);
+  CHECK(o.render.picture.render.epsilon.kind == Epsilon::Kind::automatic);
+  CHECK_EQUAL(o.run.threads, std::min(hardwareThreads(), kMaxThreads));
+  CHECK(o.render.picture.acceleration.kind == Acceleration::Kind::fast);
+  CHECK(o.render.picture.acceleration.simd == SimdLevel::automatic);
+  CHECK(!o.run.quiet && !o.render.results.stats && !o.check && o.text == ProgramText::none);
+  CHECK_EQUAL(findArgument("size")->defaultWords, std::string("100 100"));
+  CHECK_EQUAL(findArgument("bounces")->defaultWords, std::string("5"));
+  CHECK_EQUAL(findArgument("weight")->defaultWords, std::string("0.01"));
+  CHECK_EQUAL(findArgument("accel")->defaultWords, std::string("fast"));
+  CHECK_EQUAL(findArgument("simd")->defaultWords, std::string("auto"));
 }
 
 TEST("arguments come in any order and the last of two equal ones wins") {
-  const Options o =
-      parseOptions(split("-bounces 1 -output a --size 3 4 -input b -bounces 2 -size 5 6"));
-  CHECK_EQUAL(o.input, "b");
-  CHECK_EQUAL(o.output, "a");
-  CHECK_EQUAL(o.render.maxBounces, 2);
-  CHECK_EQUAL(o.width, 5);
-  CHECK_EQUAL(o.height, 6);
-  CHECK(!parse({"-shadows", "-no_shadows"}).render.shadows);
-  CHECK(parse({"-no_shadows", "-shadows"}).render.shadows);
-  CHECK(parse(split("-epsilon 1 -epsilon adaptive")).render.epsilon.kind ==
+  const Request o =
+      parseRequest(split("-bounces 1 -output a --size 3 4 -input b -bounces 2 -size 5 6"));
+  CHECK_EQUAL(o.render.picture.scene, "b");
+  CHECK_EQUAL(fileOf(o, Kind::color), "a");
+  CHECK_EQUAL(o.render.picture.render.maxBounces, 2);
+  CHECK_EQUAL(o.render.picture.width, 5);
+  CHECK_EQUAL(o.render.picture.height, 6);
+  CHECK(!parse({"-shadows", "-no_shadows"}).render.picture.render.shadows);
+  CHECK(parse({"-no_shadows", "-shadows"}).render.picture.render.shadows);
+  CHECK(parse(split("-epsilon 1 -epsilon adaptive")).render.picture.render.epsilon.kind ==
         Epsilon::Kind::adaptive);
 }
 
 TEST("whole numbers are accepted from the first to the last of their range and not beyond") {
-  CHECK_EQUAL(parse({"-bounces", "0"}).render.maxBounces, 0);
-  CHECK_EQUAL(parse({"-bounces", "10000"}).render.maxBounces, 10000);
-  CHECK_EQUAL(parse({"-threads", "1"}).threads, 1);
-  CHECK_EQUAL(parse({"-threads", "1024"}).threads, 1024);
-  CHECK_EQUAL(parse({"-size", "1", "65535"}).width, 1);
-  CHECK_EQUAL(parse({"-size", "1", "65535"}).height, 65535);
+  CHECK_EQUAL(parse({"-bounces", "0"}).render.picture.render.maxBounces, 0);
+  CHECK_EQUAL(parse({"-bounces", "10000"}).render.picture.render.maxBounces, 10000);
+  CHECK_EQUAL(parse({"-threads", "1"}).run.threads, 1);
+  CHECK_EQUAL(parse({"-threads", "1024"}).run.threads, 1024);
+  CHECK_EQUAL(parse({"-size", "1", "65535"}).render.picture.width, 1);
+  CHECK_EQUAL(parse({"-size", "1", "65535"}).render.picture.height, 65535);
   for (const char* wrong :
        {"-bounces -1", "-bounces 10001", "-threads 0", "-threads 1025", "-size 0 1", "-size 1 0",
         "-size 65536 1", "-size 1 65536", "-bounces 99999999999999999999", "-bounces 4294967296"})
@@ -75,35 +87,36 @@ TEST("a number must fill its whole word") {
 }
 
 TEST("weights are at least 0, overflow is a mistake and underflow gives 0") {
-  CHECK_EQUAL(parse({"-weight", "0"}).render.minWeight, 0.0f);
-  CHECK_EQUAL(parse({"-weight", "2.5e1"}).render.minWeight, 25.0f);
-  CHECK_EQUAL(parse({"-weight", "1e-999"}).render.minWeight, 0.0f);
+  CHECK_EQUAL(parse({"-weight", "0"}).render.picture.render.minWeight, 0.0f);
+  CHECK_EQUAL(parse({"-weight", "2.5e1"}).render.picture.render.minWeight, 25.0f);
+  CHECK_EQUAL(parse({"-weight", "1e-999"}).render.picture.render.minWeight, 0.0f);
   CHECK(contains(mistake({"-weight", "-0.1"}), "at least 0"));
   CHECK(contains(mistake({"-weight", "1e39"}), "found '1e39'"));  // float ends at 3.4e38
   CHECK(contains(mistake({"-epsilon", "1e309"}), "found '1e309'"));
 }
 
 TEST("epsilon is a number, course or adaptive") {
-  CHECK(parse({"-epsilon", "course"}).render.epsilon.kind == Epsilon::Kind::fixed);
-  CHECK_EQUAL(parse({"-epsilon", "course"}).render.epsilon.value, 0.001);
-  CHECK(parse({"-epsilon", "adaptive"}).render.epsilon.kind == Epsilon::Kind::adaptive);
-  CHECK(parse({"-epsilon", "0.25"}).render.epsilon.kind == Epsilon::Kind::fixed);
-  CHECK_EQUAL(parse({"-epsilon", "0.25"}).render.epsilon.value, 0.25);
-  CHECK_EQUAL(parse({"-epsilon", "0"}).render.epsilon.value, 0.0);
+  CHECK(parse({"-epsilon", "course"}).render.picture.render.epsilon.kind == Epsilon::Kind::fixed);
+  CHECK_EQUAL(parse({"-epsilon", "course"}).render.picture.render.epsilon.value, 0.001);
+  CHECK(parse({"-epsilon", "adaptive"}).render.picture.render.epsilon.kind ==
+        Epsilon::Kind::adaptive);
+  CHECK(parse({"-epsilon", "0.25"}).render.picture.render.epsilon.kind == Epsilon::Kind::fixed);
+  CHECK_EQUAL(parse({"-epsilon", "0.25"}).render.picture.render.epsilon.value, 0.25);
+  CHECK_EQUAL(parse({"-epsilon", "0"}).render.picture.render.epsilon.value, 0.0);
   CHECK(contains(mistake({"-epsilon", "-1"}), "adaptive"));
   CHECK(contains(mistake({"-epsilon", "corse"}), "found 'corse'"));
 }
 
 TEST("the depth image takes MIN MAX FILE or FILE MIN MAX") {
   for (const char* order : {"-depth -8 12.5 d.tga", "-depth d.tga -8 12.5"}) {
-    const Options o = parse(split(order));
-    CHECK_EQUAL(o.depthOutput, "d.tga");
-    CHECK_EQUAL(o.depthMin, -8.0);
-    CHECK_EQUAL(o.depthMax, 12.5);
+    const Request o = parse(split(order));
+    CHECK_EQUAL(fileOf(o, Kind::depth), "d.tga");
+    CHECK_EQUAL(o.render.results.find(Kind::depth)->depthMin, -8.0);
+    CHECK_EQUAL(o.render.results.find(Kind::depth)->depthMax, 12.5);
   }
-  CHECK_EQUAL(parse(split("-depth 1 2 3")).depthOutput, "3");
-  CHECK_EQUAL(parse(split("-depth 1x 2 3")).depthOutput, "1x");
-  CHECK_EQUAL(parse(split("-depth 12 8 d.tga")).depthMin, 12.0);
+  CHECK_EQUAL(fileOf(parse(split("-depth 1 2 3")), Kind::depth), "3");
+  CHECK_EQUAL(fileOf(parse(split("-depth 1x 2 3")), Kind::depth), "1x");
+  CHECK_EQUAL(parse(split("-depth 12 8 d.tga")).render.results.find(Kind::depth)->depthMin, 12.0);
   CHECK(contains(mistake(split("-depth 8 8.0 d.tga")), "differ"));
   CHECK(contains(mistake(split("-depth d.tga 8 8")), "differ"));
   CHECK(contains(mistake(split("-depth d.tga e.tga 8")), "found 'e.tga'"));
@@ -112,17 +125,19 @@ TEST("the depth image takes MIN MAX FILE or FILE MIN MAX") {
 }
 
 TEST("accel is fast or tree") {
-  CHECK(parse({"-accel", "tree"}).accel == Options::Accel::tree);
-  CHECK(parse({"-accel", "tree", "-accel", "fast"}).accel == Options::Accel::fast);
+  CHECK(parse({"-accel", "tree"}).render.picture.acceleration.kind == Acceleration::Kind::tree);
+  CHECK(parse({"-accel", "tree", "-accel", "fast"}).render.picture.acceleration.kind ==
+        Acceleration::Kind::fast);
   CHECK(contains(mistake({"-accel", "slow"}), "expected fast or tree, found 'slow'"));
   CHECK(contains(mistake({"-accel", "fsat"}), "found 'fsat'; did you mean 'fast'?"));
 }
 
 TEST("simd is auto, baseline, avx2 or avx512") {
-  CHECK(parse({"-simd", "baseline"}).simd == SimdLevel::baseline);
-  CHECK(parse({"-simd", "avx2"}).simd == SimdLevel::avx2);
-  CHECK(parse({"-simd", "avx512"}).simd == SimdLevel::avx512);
-  CHECK(parse({"-simd", "avx2", "-simd", "auto"}).simd == SimdLevel::automatic);
+  CHECK(parse({"-simd", "baseline"}).render.picture.acceleration.simd == SimdLevel::baseline);
+  CHECK(parse({"-simd", "avx2"}).render.picture.acceleration.simd == SimdLevel::avx2);
+  CHECK(parse({"-simd", "avx512"}).render.picture.acceleration.simd == SimdLevel::avx512);
+  CHECK(parse({"-simd", "avx2", "-simd", "auto"}).render.picture.acceleration.simd ==
+        SimdLevel::automatic);
   CHECK(contains(mistake({"-simd", "sse"}),
                  "-simd: expected auto, baseline, avx2 or avx512, found 'sse'"));
 }
@@ -142,7 +157,7 @@ TEST("an unknown argument is answered with the nearest one") {
 TEST("a scene and something to do with it are needed") {
   const auto message = [](const char* words) {
     try {
-      parseOptions(split(words));
+      parseRequest(split(words));
     } catch (const UsageError& error) {
       return std::string(error.what());
     }
@@ -160,7 +175,7 @@ TEST("a scene and something to do with it are needed") {
   CHECK_EQUAL(message("-help"), "");
   CHECK_EQUAL(message("--help"), "");
   CHECK_EQUAL(message("-version"), "");
-  CHECK(parseOptions({}).shortHelp);
+  CHECK(parseRequest({}).text == ProgramText::shortHelp);
 }
 
 TEST("file names must not be empty, and a dash is standard input or output") {
@@ -169,11 +184,11 @@ TEST("file names must not be empty, and a dash is standard input or output") {
   CHECK(contains(mistake({"-depth", "", "1", "2"}), "a file name"));
   CHECK(contains(mistake({"-checkpoint", ""}), "a file name"));
   CHECK(contains(mistake({"-checkpoint", "-"}), "found '-'"));
-  CHECK_EQUAL(parse({"-output", "-"}).output, "-");
-  CHECK_EQUAL(parse({"-normals", "-"}).normalsOutput, "-");
-  CHECK_EQUAL(parse({"-depth", "-", "1", "2"}).depthOutput, "-");
-  CHECK_EQUAL(parse({"-input", "-"}).input, "-");
-  CHECK_EQUAL(parse({"-output", "-strange"}).output, "-strange");
+  CHECK_EQUAL(fileOf(parse({"-output", "-"}), Kind::color), "-");
+  CHECK_EQUAL(fileOf(parse({"-normals", "-"}), Kind::normals), "-");
+  CHECK_EQUAL(fileOf(parse({"-depth", "-", "1", "2"}), Kind::depth), "-");
+  CHECK_EQUAL(parse({"-input", "-"}).render.picture.scene, "-");
+  CHECK_EQUAL(fileOf(parse({"-output", "-strange"}), Kind::color), "-strange");
 }
 
 TEST("two arguments must not name the same file") {
@@ -185,9 +200,9 @@ TEST("two arguments must not name the same file") {
   const auto clash = [&](const std::string& input, const Words& words) {
     Words all = {"-input", input};
     all.insert(all.end(), words.begin(), words.end());
-    const Options options = parseOptions(all);
+    const Request request = parseRequest(all);
     try {
-      checkFiles(options);
+      checkFiles(request.render, request.run.checkpoint);
     } catch (const UsageError&) {
       return true;
     }

@@ -2,8 +2,8 @@
 #include <filesystem>
 
 #include "check.h"
+#include "cli/arguments.h"
 #include "cli/desk.h"
-#include "cli/option_table.h"
 #include "image/picture_file.h"
 
 namespace {
@@ -19,7 +19,7 @@ std::string mistake(const std::vector<std::string>& words) {
   try {
     std::vector<std::string> all = {"-input", "scene.txt", "-output", "out.tga"};
     all.insert(all.end(), words.begin(), words.end());
-    parseOptions(all);
+    parseRequest(all);
   } catch (const UsageError& error) {
     return error.what();
   }

@@ -1,10 +1,10 @@
 // What is seen while a picture is traced: on a terminal, in a log, and in the picture's bytes.
+#include "cli/run_display.h"
+
 #include <algorithm>
 
 #include "check.h"
 #include "cli/desk.h"
-#include "cli/progress_line.h"
-#include "cli/terminal_picture.h"
 #include "started_program.h"
 
 using check::contains, check::contentOf, check::Desk, check::StartedProgram;

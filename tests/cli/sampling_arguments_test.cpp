@@ -2,7 +2,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 #include "render/render_options.h"
 #include "run_program.h"
 
@@ -12,12 +12,14 @@ using Words = std::vector<std::string>;
 using Pattern = SamplingOptions::Pattern;
 using FilterKind = SamplingOptions::FilterKind;
 
-Options parse(const std::string& words) {
+Request parse(const std::string& words) {
   std::istringstream in("-input scene.txt -output out.tga " + words);
-  return parseOptions(Words(std::istream_iterator<std::string>(in), {}));
+  return parseRequest(Words(std::istream_iterator<std::string>(in), {}));
 }
 
-SamplingOptions sampling(const std::string& words) { return parse(words).render.sampling; }
+SamplingOptions sampling(const std::string& words) {
+  return parse(words).render.picture.render.sampling;
+}
 
 std::string mistake(const std::string& words) {
   try {

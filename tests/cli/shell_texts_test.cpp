@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "check.h"
+#include "cli/arguments.h"
 #include "cli/desk.h"
-#include "cli/option_table.h"
 
 using check::contains, check::contentOf, check::Desk, check::quoted, check::ScratchFolder;
 
@@ -57,7 +57,7 @@ TEST("bash completes the names of arguments, with one dash or two") {
   CHECK_EQUAL(offersFor("-normal"), "-normal|-normals");
   CHECK_EQUAL(offersFor("-zzz"), "");
   const std::string all = offersFor("''");
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     CHECK(contains("|" + all + "|", std::string("|-") + row.name + "|"));
   }
 }
@@ -101,12 +101,13 @@ TEST("a checker of shell scripts finds no fault in bash's completion") {
 }
 
 TEST("bash's completion knows every choice that the parser takes") {
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     std::istringstream choices(row.choices);
     for (std::string choice; choices >> choice;) {
       const auto takes = [&] {
-        Options options;
-        row.apply({row.name, {choice, "1", "1"}}, options);  // throws where it does not
+        Draft draft;
+        const std::vector<std::string> words = {choice, "1", "1"};
+        row.apply(ArgumentWords(row, words), draft);  // throws where it does not
         return true;
       };
       CHECK(takes());
@@ -116,7 +117,7 @@ TEST("bash's completion knows every choice that the parser takes") {
 
 TEST("the manual page has every argument under its group, and troff finds no fault in it") {
   const std::string page = manPage();
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     const std::string group = std::string(row.group).substr(0, std::string(row.group).find('('));
     CHECK_EQUAL(countOf(page, std::string(".TP\n\\fB\\-") + row.name + "\\fR"), std::size_t(1));
     CHECK_EQUAL(countOf(page, ".SS " + group), std::size_t(1));

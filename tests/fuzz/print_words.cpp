@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cli/option_table.h"
+#include "cli/arguments.h"
 #include "scene/scene_grammar.h"
 
 namespace {
@@ -19,7 +19,7 @@ void printSceneWords() {
 }
 
 void printArguments() {
-  for (const OptionRow& row : optionTable()) {
+  for (const ArgumentRow& row : argumentTable()) {
     std::printf("\"-%s\\x0a\"\n", row.name);
     if (row.otherName) std::printf("\"-%s\\x0a\"\n", row.otherName);
   }
