@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cerrno>
 #include <exception>
 #include <system_error>
@@ -91,13 +92,12 @@ void Checkpoint::finish(const RenderTargets& targets, const PixelRectangle& area
 }
 
 double Checkpoint::foundShare() const {
-  double wanted = 0, found = 0;
-  for (std::uint32_t bit = 1; bit < 1u << kPictureKinds; bit *= 2) {
-    if (!(pictureBits(targets_) & bit)) continue;
-    wanted += double(found_.size());
-    for (const std::uint8_t tile : found_) found += (tile & bit) != 0 ? 1 : 0;
-  }
-  return found / wanted;
+  const auto count = [](std::uint32_t pictures) {
+    return double(std::bitset<kPictureKinds>(pictures).count());
+  };
+  double found = 0;
+  for (const std::uint8_t pictures : found_) found += count(pictures);
+  return found / (double(found_.size()) * count(pictureBits(targets_)));
 }
 
 void Checkpoint::startSaving() {

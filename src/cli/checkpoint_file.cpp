@@ -5,6 +5,7 @@
 // there is no whole record, the next mark "Tile" is looked for, byte by byte: bytes of pixels may
 // look like one, but have no right checksum. The end of the last whole record is the end of the
 // file from then on, so that a record torn by SIGKILL is overwritten by the next one.
+#include "cli/program.h"
 #include "cli/checkpoint_file.h"
 
 #include <fcntl.h>
@@ -16,7 +17,6 @@
 #include <cstring>
 #include <filesystem>
 
-#include "cli/request.h"
 #include "image/output_file.h"
 #include "render/tile_bytes.h"
 
@@ -75,13 +75,6 @@ std::size_t CheckpointFile::readAt(off_t offset, std::uint8_t* target, std::size
   return std::size_t(count);
 }
 
-Bytes CheckpointFile::header() const {
-  Bytes bytes(kTitle, kTitle + kTitleSize);
-  appendDigest(fingerprint_, bytes);
-  appendDigest(sha256(bytes.data(), bytes.size()), bytes);
-  return bytes;
-}
-
 /// Title and fingerprint each suffice to know the file by, in case the other one is damaged. A new
 /// header is on the disk before anything else, so that a power failure leaves a file that is known.
 void CheckpointFile::checkHeader() {
@@ -105,7 +98,10 @@ void CheckpointFile::checkHeader() {
   if (isWhole) return;
   damaged_ = size == kHeaderSize;
   end_ = 0;
-  appendBytes(header());
+  Bytes header(kTitle, kTitle + kTitleSize);
+  appendDigest(fingerprint_, header);
+  appendDigest(sha256(header.data(), header.size()), header);
+  appendBytes(header);
   if (fsync(file_->descriptor()) != 0 && errno != EINVAL) fail(errno);
 }
 

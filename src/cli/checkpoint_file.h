@@ -48,7 +48,6 @@ class CheckpointFile {
  private:
   void open();
   void checkHeader();
-  Bytes header() const;
   std::size_t readAt(off_t offset, std::uint8_t* target, std::size_t size) const;
   bool readRecord(off_t at, const SizeOf& sizeOf, Bytes& record) const;
   off_t findMark(off_t from, off_t to) const;

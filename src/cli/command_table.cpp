@@ -1,4 +1,5 @@
-// A table of commands.
+// A table of commands: each line is split into words as a shell would, and read as if the program
+// had been called with them, -output and the picture's name before.
 #include "cli/command_table.h"
 
 #include <filesystem>
@@ -12,29 +13,25 @@ namespace {
 
 constexpr std::size_t kMostBytes = 64 << 20;
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+constexpr std::string_view kBlanks = " \t\r";
 
 /// The words of a line, quotes taken away. Throws UsageError where a quote is not closed.
 std::vector<std::string> wordsOf(const std::string& line) {
   std::vector<std::string> words;
-  for (std::size_t at = 0; at < line.size();) {
-    if (isBlank(line[at])) {
-      ++at;
-      continue;
-    }
-    if (line[at] == '#') break;
-    std::string word;
-    for (; at < line.size() && !isBlank(line[at]); ++at) {
-      if (line[at] != '\'' && line[at] != '"') {
-        word += line[at];
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(kBlanks, at)) != std::string::npos && line[at] != '#') {
+    std::string& word = words.emplace_back();
+    while (at < line.size() && kBlanks.find(line[at]) == std::string_view::npos) {
+      const char c = line[at++];
+      if (c != '\'' && c != '"') {
+        word += c;
         continue;
       }
-      const std::size_t end = line.find(line[at], at + 1);
+      const std::size_t end = line.find(c, at);
       if (end == std::string::npos) throw UsageError("expected a closing quote, found none");
-      word += line.substr(at + 1, end - at - 1);
-      at = end;
+      word += line.substr(at, end - at);
+      at = end + 1;
     }
-    words.push_back(word);
   }
   return words;
 }
@@ -44,7 +41,8 @@ std::string beside(const std::string& table, const std::string& file) {
   return (std::filesystem::path(table).parent_path() / file).string();
 }
 
-TableCommand readLine(const std::string& path, int number, const std::string& line,
+/// The command of a line with these words, in the table `path`. Throws UsageError.
+TableCommand readLine(const std::string& path, const std::string& line,
                       std::vector<std::string> words, const RunRequest& defaults) {
   const std::string picture = words[0];
   if (picture[0] == '-' && picture != "-") {
@@ -66,7 +64,7 @@ TableCommand readLine(const std::string& path, int number, const std::string& li
   std::string& scene = request.render.picture.scene;
   if (scene == "-") throw UsageError("-input: expected a file, found '-'");
   scene = beside(path, scene);
-  return {number, line, request.render, request.run};
+  return {line, request.render, request.run};
 }
 
 }  // namespace
@@ -83,7 +81,7 @@ std::vector<TableCommand> readCommandTable(const std::string& path, const RunReq
       const std::vector<std::string> words = wordsOf(line);
       if (words.empty()) continue;
       if (words[0].empty()) throw UsageError("expected the name of a picture, found ''");
-      commands.push_back(readLine(path, number, line, words, defaults));
+      commands.push_back(readLine(path, line, words, defaults));
       for (const OutputRequest& output : commands.back().render.results.outputs) {
         if (!pictures.insert(output.file).second) {
           throw UsageError("expected a picture of a new name, found " + ::quoted(output.file));

@@ -5,13 +5,12 @@
 
 #include "cli/request.h"
 
-/// A line of the table. Its words are separated by blanks; ' or " around a part of a word keep
-/// blanks in it; # at the start of a word begins a comment.
+/// A line of the table. Its words are separated by blanks; ' or " keep blanks in a word that they
+/// stand in; # at the start of a word begins a comment.
 ///   PICTURE ARGUMENT...    e.g.  15_depth.png -input 15_depth.txt -size 200 150 -depth 2 7 d.png
 /// PICTURE is what -output would name; - stands for no picture of the colours. Pictures that other
 /// arguments name (-depth, -normals) are the line's too. Nothing is written to any of them.
 struct TableCommand {
-  int line;              ///< from 1
   std::string text;      ///< the arguments, as they stand in the table
   RenderRequest render;  ///< input files are looked up beside the table
   RunRequest run;

@@ -1,7 +1,9 @@
-// ComparedPair: two pictures that belong together, and what came of comparing them.
+// ComparedPair: two pictures that belong together, what came of comparing them, and the forms in
+// which that is told: lines of text, a row of comma-separated values, a page with the pictures.
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/request.h"
 #include "image/bytes.h"
@@ -10,26 +12,70 @@
 struct ComparedPair {
   enum class Result { same, different, missing, unexpected, unreadable };
 
-  std::string name;              ///< what both are called
-  std::string expected, actual;  ///< files; `actual` may be a command; empty where there is none
+  std::string name;      ///< what both are called: a path below the folder, where it is one
+  std::string expected;  ///< a file; empty where there is none
+  std::string actual;    ///< likewise, or a command
   Result result = Result::same;
-  std::string fault;  ///< why it is missing, unexpected or unreadable, or how the sizes differ
+  std::string fault{};  ///< why it is missing, unexpected or unreadable, or how the sizes differ
   int expectedWidth = 0, expectedHeight = 0, actualWidth = 0, actualHeight = 0;
-  std::optional<Comparison> figures;  ///< where both pictures have the same size
+  std::optional<Comparison> comparison{};  ///< where both pictures have the same size
   /// The pictures as PNG, where a report is wanted and they could be read; those of `actual` and of
   /// the differences only where the pictures are not equal.
-  Bytes expectedPng, actualPng, differencePng;
+  Bytes expectedPng{}, actualPng{}, differencePng{};
+  Image difference{};  ///< the picture of the differences, where -diff is given
 
   /// Neither the same within the tolerance nor readable and different.
   bool isAtFault() const { return result != Result::same && result != Result::different; }
+  void fail(Result how, const std::string& why);
 };
 
-const char* nameOf(ComparedPair::Result result);
+/// All files below `folder`, however deep, whose endings are those of pictures (tga, png, ppm, pgm,
+/// pfm, in capitals or not), as paths relative to it, sorted. Links to folders are not followed.
+/// Throws ImageError where a folder cannot be read.
+std::vector<std::string> picturesIn(const std::string& folder);
+
+/// The picture of that name in `pictures` (sorted paths), else the first one whose path is the same
+/// but for the ending (out.tga and out.png); "" where there is none.
+std::string partnerOf(const std::string& name, const std::vector<std::string>& pictures);
+
+/// The path of `name` in `folder`; "" for "".
+std::string inFolder(const std::string& folder, const std::string& name);
+
+/// Each expected picture with its partner among the actual ones, not compared yet, or missing. Then
+/// the actual pictures that are nobody's partner: unexpected. Sorted by name.
+std::vector<ComparedPair> pairsIn(const std::string& expectedFolder,
+                                  const std::string& actualFolder);
+
+/// Compares the pair's pictures, which are not kept, and enters what came of it.
+void comparePictures(const Image& expected, const Image& actual, const CompareRequest& request,
+                     ComparedPair& pair);
 
 /// True where `a` is to come before `b` in a list of the worst first: unreadable or without
 /// partner, other sizes, many pixels over the tolerance, a large error; then by name.
 bool isWorse(const ComparedPair& a, const ComparedPair& b);
 
-/// Compares two pictures of the given name and enters what came of it.
-void comparePictures(const Image& expected, const Image& actual, const CompareRequest& options,
-                     ComparedPair& pair);
+const char* nameOf(ComparedPair::Result result);
+
+/// A number in all of the forms: 6 significant digits, `inf` for infinity.
+std::string numberText(double value);
+
+/// What there is to tell of a pair, as far as it could be compared.
+struct Figure {
+  std::string name, value;
+};
+std::vector<Figure> figuresOf(const ComparedPair& pair, const CompareRequest& request);
+
+/// The figures of one pair, in lines `name: value`.
+std::string figureLines(const ComparedPair& pair, const CompareRequest& request);
+
+/// One line for each pair and one that counts them.
+std::string pairLines(const std::vector<ComparedPair>& pairs);
+
+/// Adds a row for each pair to what is in the file, a table of comma-separated values (RFC 4180)
+/// that begins with our heading unless it is new or empty. Fields that a pair has no value for are
+/// empty. Waits for other runs that add to it. Throws OutputError.
+void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path);
+
+/// The page: HTML in one file that needs nothing from outside. Pairs come as they are given. Names
+/// may hold any bytes.
+std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request);

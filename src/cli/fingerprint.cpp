@@ -1,8 +1,6 @@
 // The fingerprint of a picture.
 #include "cli/fingerprint.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -26,14 +24,9 @@ constexpr std::size_t kStack = 1 << 18;
 Digest pieceDigest(const OpenFile& file, const std::string& path, std::size_t offset,
                    std::size_t size) {
   std::vector<char> bytes(size);
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t count = pread(file.descriptor(), &bytes[done], size - done, off_t(offset + done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, std::strerror(errno));
-    if (count == 0) fail(path, "it has become shorter");
-    done += std::size_t(count);
-  }
+  const ssize_t count = file.readAt(off_t(offset), bytes.data(), size);
+  if (count < 0) fail(path, std::strerror(errno));
+  if (std::size_t(count) < size) fail(path, "it has become shorter");
   return sha256(bytes.data(), size);
 }
 
@@ -51,22 +44,18 @@ void addReal(double number, Sha256& hash) {
 }
 
 /// What of the arguments that name files changes pixels.
-void addPictures(const std::vector<OutputRequest>& outputs, Sha256& hash) {
-  const auto find = [&](OutputRequest::Kind kind) {
-    for (const OutputRequest& output : outputs)
-      if (output.kind == kind) return &output;
-    return static_cast<const OutputRequest*>(nullptr);
-  };
-  const OutputRequest* const depth = find(OutputRequest::Kind::depth);
-  const OutputRequest* const samples = find(OutputRequest::Kind::samples);
-  hash.addNumber(find(OutputRequest::Kind::color) != nullptr);
+void addPictures(const ResultRequest& results, Sha256& hash) {
+  using Kind = OutputRequest::Kind;
+  const OutputRequest* const depth = results.find(Kind::depth);
+  const OutputRequest* const samples = results.find(Kind::samples);
+  hash.addNumber(results.find(Kind::color) != nullptr);
   hash.addNumber(depth != nullptr);
   addReal(depth ? depth->depthMin : 0, hash);
   addReal(depth ? depth->depthMax : 0, hash);
-  hash.addNumber(find(OutputRequest::Kind::normals) != nullptr);
+  hash.addNumber(results.find(Kind::normals) != nullptr);
   hash.addNumber(samples != nullptr);
   hash.addNumber(std::uint64_t(samples ? samples->zoom : 1));
-  if (find(OutputRequest::Kind::materials)) addText("materials", hash);
+  if (results.find(Kind::materials)) addText("materials", hash);
 }
 
 void addArguments(const std::vector<GivenArgument>& arguments, Sha256& hash) {
@@ -107,9 +96,9 @@ Digest fileDigest(const std::string& path, int threads) {
   return hash.finish();
 }
 
-Digest pictureFingerprint(const std::vector<OutputRequest>& outputs,
-                          const std::vector<GivenArgument>& given, const Digest& scene,
-                          const std::vector<std::string>& meshFiles, int threads) {
+Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
+                          const Digest& scene, const std::vector<std::string>& meshFiles,
+                          int threads) {
   Sha256 hash;
   addText(versionText(), hash);
   hash.add(scene);
@@ -121,7 +110,7 @@ Digest pictureFingerprint(const std::vector<OutputRequest>& outputs,
     known[file] = digest;
     hash.add(digest);
   }
-  addPictures(outputs, hash);
+  addPictures(results, hash);
   addArguments(given, hash);
   return hash.finish();
 }

@@ -14,9 +14,9 @@
 /// and the files' names. Two ways of saying the same (a default that is given, 5 and 5.0) are
 /// different. Files are hashed on so many threads; one that cannot be read, or is no plain file
 /// that could be read twice, throws std::runtime_error.
-Digest pictureFingerprint(const std::vector<OutputRequest>& outputs,
-                          const std::vector<GivenArgument>& given, const Digest& scene,
-                          const std::vector<std::string>& meshFiles, int threads);
+Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
+                          const Digest& scene, const std::vector<std::string>& meshFiles,
+                          int threads);
 
 /// False for an argument (its name without dashes) that changes no pixel whatever its words are,
 /// such as -threads, and for those that name files. An argument is taken to change pixels unless it

@@ -1,78 +1,174 @@
-// The run of `raytracer -merge`.
-#include "cli/merge_run.h"
-
+// The run of `raytracer -merge`: every part is looked at before a pixel is read, and each mistake
+// named; then the picture is put together row by row.
+//
+// Both go down the picture with the same list, PartsInRow: the parts that hold pixels of the row at
+// hand. Whether they cover the picture is asked once for each band of rows in which the list stays
+// the same: from left to right each part must begin where the one before ended. Where it begins
+// later there is a gap, where it begins earlier two parts overlap. For n parts in the widest band
+// that is O(n) a band, however large the picture.
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <set>
 #include <tuple>
+#include <utility>
 
-#include "cli/part_cover.h"
+#include "cli/part_file.h"
 #include "cli/program.h"
+#include "cli/runs.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "scene/input_error.h"
-#include "system/files.h"
 #include "system/worker_threads.h"
 
 namespace {
 
+using Parts = std::vector<PartFile>;
+
 constexpr std::size_t kMostComplaints = 20;
-constexpr std::size_t kMostOpen = 256;  // files at a time
+
+/// The parts that hold pixels of a row, from left to right.
+class PartsInRow {
+ public:
+  /// `parts` are in the order of their y, those of the same y of their x. Not owned.
+  explicit PartsInRow(const Parts& parts) : parts_(parts) {}
+
+  /// To be called for rows further and further down, none in which a part begins left out.
+  const std::vector<const PartFile*>& goTo(int y) {
+    const auto isOver = [y](const PartFile* part) { return part->bottom() <= y; };
+    found_.erase(std::remove_if(found_.begin(), found_.end(), isOver), found_.end());
+    const auto old = std::ptrdiff_t(found_.size());
+    for (; next_ < parts_.size() && parts_[next_].y == y; ++next_) found_.push_back(&parts_[next_]);
+    std::inplace_merge(found_.begin(), found_.begin() + old, found_.end(),
+                       [](const PartFile* a, const PartFile* b) { return a->x < b->x; });
+    return found_;
+  }
+
+ private:
+  const Parts& parts_;
+  std::size_t next_ = 0;  // the first part that no row has reached
+  std::vector<const PartFile*> found_;
+};
+
+/// Pixels left <= x < right of rows top <= y < bottom, counted from 0 at the top and left.
+struct Place {
+  int left, top, right, bottom;
+};
+
+std::string spanText(const char* one, int from, int to) {
+  if (to - from == 1) return std::string(one) + " " + std::to_string(from);
+  return std::string(one) + "s " + std::to_string(from) + " to " + std::to_string(to - 1);
+}
+
+std::string placeText(const Place& place, int width) {
+  std::string rows = spanText("row", place.top, place.bottom);
+  if (place.left == 0 && place.right == width) return rows;
+  return spanText("pixel", place.left, place.right) + " of " + rows;
+}
+
+/// Whether parts make up a whole picture: which files overlap and where, which pixels no part holds
+/// and the argument that would render them. At most kMostComplaints of each are found.
+class Cover {
+ public:
+  Cover(const Parts& parts, const PartId& whole) : inRow_(parts), width_(whole.width) {
+    std::set<int> edges = {0, whole.height};
+    for (const PartFile& part : parts) edges.insert({part.y, part.bottom()});
+    auto edge = edges.begin();
+    for (int top = *edge++; edge != edges.end(); top = *edge++) checkBand(top, *edge);
+    for (const Place& gap : gaps_) report(gap);
+  }
+
+  /// Empty where each pixel is in one part.
+  const std::vector<std::string>& mistakes() const { return mistakes_; }
+
+ private:
+  void checkBand(int top, int bottom) {
+    int end = 0;
+    const PartFile* reaching = nullptr;  // the part that ends there
+    for (const PartFile* part : inRow_.goTo(top)) {
+      if (part->x > end) addGap({end, top, part->x, bottom});
+      if (part->x < end) addOverlap(*reaching, *part);
+      if (part->right() <= end) continue;
+      end = part->right();
+      reaching = part;
+    }
+    if (end < width_) addGap({end, top, width_, bottom});
+  }
+
+  /// Joined to a gap of the same pixels in the band above.
+  void addGap(const Place& place) {
+    for (Place& gap : gaps_) {
+      if (gap.bottom != place.top || gap.left != place.left || gap.right != place.right) continue;
+      gap.bottom = place.bottom;
+      return;
+    }
+    if (gaps_.size() < kMostComplaints) gaps_.push_back(place);
+  }
+
+  void addOverlap(const PartFile& a, const PartFile& b) {
+    if (mistakes_.size() >= kMostComplaints || !overlapping_.insert({&a, &b}).second) return;
+    const Place both = {std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.right(), b.right()),
+                        std::min(a.bottom(), b.bottom())};
+    mistakes_.push_back(a.path + " and " + b.path + ": expected parts that do not overlap, found " +
+                        placeText(both, width_) + " in both");
+  }
+
+  void report(const Place& gap) {
+    const int rows = gap.bottom - gap.top;
+    const bool isOne = rows == 1 && gap.left == 0 && gap.right == width_;
+    mistakes_.push_back("no part holds " + placeText(gap, width_) + "; -region " +
+                        std::to_string(gap.left) + " " + std::to_string(gap.top) + " " +
+                        std::to_string(gap.right - gap.left) + " " + std::to_string(rows) +
+                        " renders " + (isOne ? "it" : "them"));
+  }
+
+  PartsInRow inRow_;
+  const int width_;
+  std::vector<Place> gaps_;
+  std::set<std::pair<const PartFile*, const PartFile*>> overlapping_;
+  std::vector<std::string> mistakes_;
+};
 
 /// The rows of the whole picture, from the top one on, as BGR bytes. Keeps one.
 class MergedRows {
  public:
-  /// `parts` cover the picture and are in the order of their y; not owned.
-  explicit MergedRows(const std::vector<PartFile>& parts)
-      : parts_(parts), row_(3 * std::size_t(parts[0].id.width)) {}
+  /// `parts` cover the picture, in the order that PartsInRow wants. Not owned.
+  explicit MergedRows(const Parts& parts)
+      : parts_(parts), inRow_(parts), row_(3 * std::size_t(parts[0].id.width)) {}
 
   /// To be called for each y in turn, from 0 on. Throws InputError where a part cannot be read.
   const Bytes& row(int y) {
-    const auto isOver = [y](const Active& part) { return part.of->y + part.of->height <= y; };
-    active_.erase(std::remove_if(active_.begin(), active_.end(), isOver), active_.end());
-    for (; next_ < parts_.size() && parts_[next_].y == y; ++next_) {
-      const bool staysOpen = active_.size() < kMostOpen;
-      active_.push_back({&parts_[next_], staysOpen ? open(parts_[next_]) : nullptr});
-    }
-    for (const Active& part : active_) {
-      const std::unique_ptr<OpenFile> own = part.file ? nullptr : open(*part.of);
-      const OpenFile& file = part.file ? *part.file : *own;
-      part.of->readRow(file.descriptor(), y - part.of->y, &row_[3 * std::size_t(part.of->x)]);
+    for (const PartFile* part : inRow_.goTo(y)) {
+      part->readRow(fileOf(*part), y - part->y, &row_[3 * std::size_t(part->x)]);
     }
     return row_;
   }
 
  private:
-  struct Active {
-    const PartFile* of;
-    std::unique_ptr<OpenFile> file;  // null: opened for each row
-  };
-
-  static std::unique_ptr<OpenFile> open(const PartFile& part) {
-    auto file = std::make_unique<OpenFile>(part.path);
-    if (file->isOpen()) return file;
-    throw InputError(part.path, 0, std::string("cannot be read: ") + std::strerror(errno));
+  /// A file stays open until another part needs its place: parts that lie beside each other are
+  /// near each other in the list, and so have other places.
+  const OpenFile& fileOf(const PartFile& part) {
+    Open& open = open_[std::size_t(&part - parts_.data()) % kMostOpen];
+    if (open.part != &part) open = {&part, PartFile::open(part.path)};
+    return *open.file;
   }
 
-  const std::vector<PartFile>& parts_;
+  struct Open {
+    const PartFile* part = nullptr;
+    std::unique_ptr<const OpenFile> file;
+  };
+  static constexpr std::size_t kMostOpen = 256;  // files at a time
+
+  const Parts& parts_;
+  PartsInRow inRow_;
   Bytes row_;
-  std::size_t next_ = 0;
-  std::vector<Active> active_;
+  Open open_[kMostOpen];
 };
 
-void complainOf(const std::vector<std::string>& mistakes) {
-  const std::size_t shown = std::min(mistakes.size(), kMostComplaints);
-  for (std::size_t i = 0; i < shown; ++i) complain(mistakes[i]);
-  if (shown < mistakes.size()) {
-    complain("and " + std::to_string(mistakes.size() - shown) + " more mistakes");
-  }
-}
-
 /// Leaves the files that are no parts out, and says so in `mistakes`.
-std::vector<PartFile> readParts(const std::vector<std::string>& paths,
-                                std::vector<std::string>& mistakes) {
-  std::vector<PartFile> parts;
+Parts readParts(const std::vector<std::string>& paths, std::vector<std::string>& mistakes) {
+  Parts parts;
   for (const std::string& path : paths) {
     try {
       parts.push_back(PartFile::read(path));
@@ -83,32 +179,33 @@ std::vector<PartFile> readParts(const std::vector<std::string>& paths,
   return parts;
 }
 
-std::string sizeText(const PartId& id) {
-  return std::to_string(id.width) + " x " + std::to_string(id.height) + " pixels";
+/// How a part of another picture than `expected` differs.
+std::string differenceText(const PartId& expected, const PartId& found) {
+  const auto sizeText = [](const PartId& id) {
+    return std::to_string(id.width) + " x " + std::to_string(id.height) + " pixels";
+  };
+  if (found.width != expected.width || found.height != expected.height) {
+    return sizeText(found) + " instead of " + sizeText(expected);
+  }
+  if (found.kind != expected.kind) return "its " + found.kind + " instead of its " + expected.kind;
+  return "another scene, other meshes or other arguments";
 }
 
-void checkSamePicture(const std::vector<PartFile>& parts, std::vector<std::string>& mistakes) {
+void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
   for (const PartFile& part : parts) {
-    const PartId &expected = parts[0].id, &found = part.id;
-    if (textOf(found) == textOf(expected)) continue;
-    const std::string start =
-        part.path + ": expected a part of the same picture as " + parts[0].path + ", found one of ";
-    if (found.width != expected.width || found.height != expected.height) {
-      mistakes.push_back(start + sizeText(found) + " instead of " + sizeText(expected));
-    } else if (found.kind != expected.kind) {
-      mistakes.push_back(start + "its " + found.kind + " instead of its " + expected.kind);
-    } else {
-      mistakes.push_back(start + "another scene, other meshes or other arguments");
-    }
+    if (textOf(part.id) == textOf(parts[0].id)) continue;
+    mistakes.push_back(part.path + ": expected a part of the same picture as " + parts[0].path +
+                       ", found one of " + differenceText(parts[0].id, part.id));
   }
 }
 
-void write(const std::vector<PartFile>& parts, const std::string& path) {
+/// A TGA needs no more than a row in memory.
+void write(const Parts& parts, const std::string& path) {
   const int width = parts[0].id.width, height = parts[0].id.height;
   MergedRows rows(parts);
   if (formatOf(path) == PictureFormat::tga) {
-    return writeTgaRows(
-        width, height, [&rows](int y) -> const Bytes& { return rows.row(y); }, path);
+    const auto row = [&rows](int y) -> const Bytes& { return rows.row(y); };
+    return writeTgaRows(width, height, row, path);
   }
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -122,21 +219,25 @@ void write(const std::vector<PartFile>& parts, const std::string& path) {
 
 }  // namespace
 
-int runMerge(const MergeRequest& options) {
-  checkOutput(options.output);
+int runMerge(const MergeRequest& request) {
+  checkOutput(request.output);
   std::vector<std::string> mistakes;
-  std::vector<PartFile> parts = readParts(options.parts, mistakes);
+  Parts parts = readParts(request.parts, mistakes);
   if (mistakes.empty()) checkSamePicture(parts, mistakes);
   if (mistakes.empty()) {
     std::sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
       return std::tie(a.y, a.x, a.path) < std::tie(b.y, b.x, b.path);
     });
-    mistakes = coverMistakes(parts, parts[0].id.width, parts[0].id.height);
+    mistakes = Cover(parts, parts[0].id).mistakes();
   }
   if (mistakes.empty()) {
-    write(parts, options.output);
+    write(parts, request.output);
     return kDone;
   }
-  complainOf(mistakes);
+  const std::size_t shown = std::min(mistakes.size(), kMostComplaints);
+  for (std::size_t i = 0; i < shown; ++i) complain(mistakes[i]);
+  if (shown < mistakes.size()) {
+    complain("and " + std::to_string(mistakes.size() - shown) + " more mistakes");
+  }
   return kSceneAtFault;
 }

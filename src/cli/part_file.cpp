@@ -1,43 +1,66 @@
-// PartFile.
+// PartFile: the header of a part is that of our TGAs (see image/tga.h) but for the image ID and the
+// origin. Whatever has another header, ID or length is no part, or a damaged one.
 #include "cli/part_file.h"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 
+#include "cli/fingerprint.h"
 #include "scene/input_error.h"
-#include "system/files.h"
 
 namespace {
 
-constexpr std::size_t kHeader = 18;
+constexpr const char* kTitle = "raytracer part 1";
+constexpr std::size_t kHeader = 18, kMostId = 255;
+
+const char* nameOf(OutputRequest::Kind kind) {
+  if (kind == OutputRequest::Kind::color) return "color";
+  if (kind == OutputRequest::Kind::depth) return "depth";
+  assert(kind == OutputRequest::Kind::normals);
+  return "normals";
+}
+
+std::string hexadecimal(const Digest& digest) {
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    text += "0123456789abcdef"[byte >> 4];
+    text += "0123456789abcdef"[byte & 15];
+  }
+  return text;
+}
+
+/// True where `text` is what textOf gives for some `id`, which is then set.
+bool readId(const std::string& text, PartId& id) {
+  std::istringstream words(text);
+  std::string word;
+  words >> word >> word >> word >> id.kind >> id.width >> id.height >> id.fingerprint;
+  const auto isSide = [](int side) { return side >= 1 && side <= kMaxImageSide; };
+  return !words.fail() && textOf(id) == text && isSide(id.width) && isSide(id.height);
+}
 
 [[noreturn]] void fail(const std::string& path, const std::string& message) {
   throw InputError(path, 0, message);
+}
+
+[[noreturn]] void failReading(const std::string& path) {
+  fail(path, std::string("cannot be read: ") + std::strerror(errno));
 }
 
 [[noreturn]] void failNoPart(const std::string& path, const std::string& found) {
   fail(path, "expected a TGA that -region or -tile has written, found " + found);
 }
 
-/// Reads as many bytes as there are, up to `size`.
-std::size_t readAt(const std::string& path, int descriptor, std::int64_t offset,
+std::size_t readAt(const std::string& path, const OpenFile& file, std::int64_t offset,
                    std::uint8_t* target, std::size_t size) {
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t count =
-        pread(descriptor, target + done, size - done, off_t(offset) + off_t(done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, std::string("cannot be read: ") + std::strerror(errno));
-    if (count == 0) break;
-    done += std::size_t(count);
-  }
-  return done;
+  const ssize_t count = file.readAt(off_t(offset), target, size);
+  if (count < 0) failReading(path);
+  return std::size_t(count);
 }
 
-int numberAt(const std::uint8_t* bytes) { return bytes[0] + 256 * bytes[1]; }
+int shortAt(const std::uint8_t* bytes) { return bytes[0] + 256 * bytes[1]; }
 
 /// Apart from sizes and places, the header that a part has.
 bool isHeader(const std::uint8_t* header) {
@@ -52,50 +75,68 @@ std::int64_t pixelsStart(const PartFile& part) {
   return std::int64_t(kHeader + textOf(part.id).size());
 }
 
-void checkSize(const PartFile& part, std::int64_t found) {
-  const std::int64_t expected = pixelsStart(part) + 3 * std::int64_t(part.width) * part.height;
-  if (found < expected) {
-    fail(part.path, "cut off: expected " + bytesText(expected) + ", found " + bytesText(found));
-  }
-  if (found > expected) {
-    fail(part.path, "expected " + bytesText(expected) + ", found " + bytesText(found));
-  }
-}
-
-void checkPlace(const PartFile& part) {
-  const bool fits = part.width > 0 && part.height > 0 && part.x + part.width <= part.id.width &&
-                    part.y + part.height <= part.id.height;
+void checkPlaceAndSize(const PartFile& part, std::int64_t found) {
+  const bool fits = part.width > 0 && part.height > 0 && part.right() <= part.id.width &&
+                    part.bottom() <= part.id.height;
   if (!fits) fail(part.path, "damaged: its place is not in the picture that it is a part of");
+  const std::int64_t expected = pixelsStart(part) + 3 * std::int64_t(part.width) * part.height;
+  if (found == expected) return;
+  fail(part.path, (found < expected ? "cut off: expected " : "expected ") + bytesText(expected) +
+                      ", found " + bytesText(found));
 }
 
 }  // namespace
 
+std::string textOf(const PartId& id) {
+  return std::string(kTitle) + " " + id.kind + " " + std::to_string(id.width) + " " +
+         std::to_string(id.height) + " " + id.fingerprint;
+}
+
+PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
+                const std::vector<std::string>& meshFiles, int threads) {
+  std::vector<GivenArgument> given;
+  for (const GivenArgument& argument : render.given) {
+    const bool isPlace =
+        argument.name == "size" || argument.name == "region" || argument.name == "tile";
+    if (!isPlace) given.push_back(argument);
+  }
+  ResultRequest alone;
+  alone.outputs = {output};
+  const Digest digest = pictureFingerprint(alone, given, scene, meshFiles, threads);
+  return {nameOf(output.kind), render.picture.width, render.picture.height, hexadecimal(digest)};
+}
+
+std::unique_ptr<const OpenFile> PartFile::open(const std::string& path) {
+  auto file = std::make_unique<const OpenFile>(path);
+  if (!file->isOpen()) failReading(path);
+  return file;
+}
+
 PartFile PartFile::read(const std::string& path) {
-  const OpenFile file(path);
-  if (!file.isOpen()) fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  const std::unique_ptr<const OpenFile> opened = open(path);
+  const OpenFile& file = *opened;
+  std::uint8_t header[kHeader + kMostId] = {};
   const auto size = std::int64_t(file.regularSize());
   if (size < 0) failNoPart(path, "no plain file");
-  std::uint8_t header[kHeader + 255] = {};
-  const std::size_t found = readAt(path, file.descriptor(), 0, header, sizeof header);
+  const std::size_t found = readAt(path, file, 0, header, sizeof header);
   if (found < kHeader) failNoPart(path, bytesText(size));
   if (!isHeader(header)) failNoPart(path, "another kind of file");
   if (header[0] == 0) failNoPart(path, "a TGA without an image ID, which is no part");
+  if (found < kHeader + header[0]) failNoPart(path, bytesText(size));
   PartFile part;
   part.path = path;
-  if (found < kHeader + header[0]) failNoPart(path, bytesText(size));
-  const std::string text(header + kHeader, header + kHeader + header[0]);
-  if (!readPartId(text, part.id)) failNoPart(path, "a TGA with another image ID");
-  part.x = numberAt(header + 8);
-  part.y = numberAt(header + 10);
-  part.width = numberAt(header + 12);
-  part.height = numberAt(header + 14);
-  checkPlace(part);
-  checkSize(part, size);
+  const std::string id(header + kHeader, header + kHeader + header[0]);
+  if (!readId(id, part.id)) failNoPart(path, "a TGA with another image ID");
+  part.x = shortAt(header + 8);
+  part.y = shortAt(header + 10);
+  part.width = shortAt(header + 12);
+  part.height = shortAt(header + 14);
+  checkPlaceAndSize(part, size);
   return part;
 }
 
-void PartFile::readRow(int descriptor, int row, std::uint8_t* target) const {
+void PartFile::readRow(const OpenFile& file, int row, std::uint8_t* target) const {
   const std::size_t size = 3 * std::size_t(width);
   const std::int64_t offset = pixelsStart(*this) + std::int64_t(size) * row;
-  if (readAt(path, descriptor, offset, target, size) < size) fail(path, "has become shorter");
+  if (readAt(path, file, offset, target, size) < size) fail(path, "has become shorter");
 }

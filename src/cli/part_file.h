@@ -1,20 +1,49 @@
-// PartFile: a part of a picture, as -region and -tile write it.
+// PartFile: a part of a picture, as -region and -tile write it: a TGA that any viewer shows, whose
+// origin fields hold its place in the whole picture, and whose image ID says of which.
 #pragma once
+#include <memory>
 #include <string>
+#include <vector>
 
-#include "cli/part_id.h"
+#include "cli/request.h"
 #include "image/bytes.h"
+#include "system/files.h"
+#include "system/sha256.h"
+
+/// Which picture a part belongs to.
+struct PartId {
+  std::string kind;         ///< "color", "depth" or "normals"
+  int width = 0;            ///< of the whole picture, in pixels
+  int height = 0;           ///< likewise
+  std::string fingerprint;  ///< in hexadecimal: equal for all parts of one picture alone
+};
+
+/// "raytracer part 1 KIND WIDTH HEIGHT FINGERPRINT", at most 110 bytes: the image ID.
+std::string textOf(const PartId& id);
+
+/// The ID of the parts of this output of the render. The fingerprint is pictureFingerprint's for
+/// this kind of picture alone, and without -size, -region and -tile: so one run may give several
+/// kinds, and another the same ones singly. It is of kind color, depth or normals; for the rest,
+/// and errors, see pictureFingerprint.
+PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
+                const std::vector<std::string>& meshFiles, int threads);
 
 struct PartFile {
   std::string path;
   PartId id;
   int x = 0, y = 0, width = 0, height = 0;  ///< in the whole picture, from its top left corner
 
+  int right() const { return x + width; }
+  int bottom() const { return y + height; }
+
   /// Reads all but the pixels, and checks that these are all there. Throws InputError where the
   /// file cannot be read, is no part, or is cut off.
   static PartFile read(const std::string& path);
 
-  /// Copies row `row` of the part (0 is its top one) to `target`: 3 * width bytes, BGR. The file is
-  /// open at `descriptor`. Throws InputError where it cannot be read.
-  void readRow(int descriptor, int row, std::uint8_t* target) const;
+  /// Opens the file of a part, for readRow. Throws InputError.
+  static std::unique_ptr<const OpenFile> open(const std::string& path);
+
+  /// Copies row `row` of the part (0 is its top one) to `target`: 3 * width bytes, BGR. `file` is
+  /// this one, opened. Throws InputError where it cannot be read.
+  void readRow(const OpenFile& file, int row, std::uint8_t* target) const;
 };

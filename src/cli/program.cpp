@@ -14,10 +14,9 @@
 #include <system_error>
 
 #include "cli/arguments.h"
-#include "cli/compare_run.h"
-#include "cli/merge_run.h"
 #include "cli/outputs.h"
 #include "cli/render_run.h"
+#include "cli/runs.h"
 #include "cli/scene_input.h"
 #include "image/output_file.h"
 #include "system/memory.h"

@@ -12,7 +12,7 @@
 #include "cli/checkpoint.h"
 #include "cli/fingerprint.h"
 #include "cli/inspection.h"
-#include "cli/part_id.h"
+#include "cli/part_file.h"
 #include "cli/program.h"
 #include "cli/run_display.h"
 #include "cli/scene_geometry.h"
@@ -121,8 +121,8 @@ void RenderRun::setPlaces() {
 }
 
 void RenderRun::openCheckpointFor(RenderTargets& targets) {
-  const Digest fingerprint = pictureFingerprint(request_.results.outputs, request_.given,
-                                                notes_.digest, scene_.getMeshFiles(), run_.threads);
+  const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
+                                                scene_.getMeshFiles(), run_.threads);
   checkpoint_ = openCheckpoint(run_.checkpoint, fingerprint, targets, run_.quiet);
   targets.store = checkpoint_.get();
 }

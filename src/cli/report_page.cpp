@@ -1,7 +1,11 @@
-// The page of a comparison: HTML with its pictures, style and script in one file.
-#include <vector>
+// The page of a comparison: HTML with its pictures, style and script in one file. It is
+// put together from templates, in which $1 to $9 stand for the values that filled() puts there.
+// Without the script the page still shows all figures and pictures; what needs it is hidden.
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
 
-#include "cli/compare_output.h"
+#include "cli/compared_pair.h"
 
 namespace {
 
@@ -48,8 +52,8 @@ for (const tool of document.querySelectorAll('.compare')) {
   above.src = source('expected');
   let timer = 0, shown = true;
   function draw() {
-    const part = timer ? (shown ? 100 : 0) : slider.value;
-    above.style.clipPath = 'inset(0 ' + (100 - part) + '% 0 0)';
+    const share = timer ? (shown ? 100 : 0) : slider.value;
+    above.style.clipPath = 'inset(0 ' + (100 - share) + '% 0 0)';
     state.textContent = timer ? (shown ? 'expected' : 'actual')
       : 'expected ' + slider.value + ' %, actual ' + (100 - slider.value) + ' %';
   }
@@ -76,25 +80,67 @@ document.addEventListener('keydown', event => {
 </script>
 )";
 
-/// The text as it stands between tags and in attributes; control characters become U+FFFD.
+constexpr const char* kIntroduction = R"(<p>$1 pairs, $2 of them the same within $3 of 255 levels
+in all but $4 % of the pixels. The worst come first.</p>
+<p>Keys: Tab goes on, n and p to the next and previous pair; arrows move a slider, the space bar
+starts and stops blinking. <label>Zoom <select id="zoom"><option>1</option><option>2</option>
+<option>4</option><option>8</option></select></label></p>
+)";
+
+/// Number, result, name, rows of the table, pictures.
+constexpr const char* kSection = R"(<section class="$2" aria-labelledby="pair$1">
+<h2 id="pair$1" tabindex="0">$3: $2</h2>
+<table>
+$4</table>
+$5</section>
+)";
+
+/// Name and value of a figure.
+constexpr const char* kRow = R"(<tr><th scope="row">$1</th><td>$2</td></tr>
+)";
+
+/// Class, caption, name, PNG in base 64.
+constexpr const char* kFigure = R"(<figure><figcaption>$2</figcaption>
+<img class="$1" alt="$1 picture of $3" src="data:image/png;base64,$4"></figure>
+)";
+
+/// Two pictures, which the script fills in, one on the other, with the tools to tell them apart.
+/// Their name.
+constexpr const char* kWipe = R"(<div class="compare" hidden>
+<div class="wipe"><img alt=""><img alt=""></div>
+<div class="tools"><label>actual <input type="range" min="0" max="100" value="50"
+ aria-label="How much of the expected picture covers the actual one, $1"> expected</label>
+<button type="button" aria-pressed="false"
+ aria-label="Blink between the two pictures, $1">Blink</button> <output></output></div></div>
+)";
+
+/// The template with its values, of which there are 9 at most. They may hold a $ themselves.
+std::string filled(const char* text, std::initializer_list<std::string> values) {
+  std::string result;
+  for (; *text != '\0'; ++text) {
+    if (*text == '$') {
+      result += values.begin()[*++text - '1'];
+    } else {
+      result += *text;
+    }
+  }
+  return result;
+}
+
+/// How a character stands between tags and in attributes. Control characters become U+FFFD.
+std::string entityOf(char c) {
+  static constexpr std::pair<char, const char*> kEntities[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+  for (const auto& [special, entity] : kEntities) {
+    if (c == special) return entity;
+  }
+  const bool isControl = static_cast<unsigned char>(c) < 32 || c == 127;
+  return isControl ? "&#xFFFD;" : std::string(1, c);
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (c == '\'')
-      result += "&#39;";
-    else if (static_cast<unsigned char>(c) < 32 || c == 127)
-      result += "&#xFFFD;";
-    else
-      result += c;
-  }
+  for (const char c : text) result += entityOf(c);
   return result;
 }
 
@@ -114,78 +160,49 @@ std::string base64(const Bytes& bytes) {  // RFC 4648, section 4
   return text;
 }
 
-std::string figure(const char* kind, const std::string& caption, const Bytes& png,
-                   const std::string& name) {
-  return "<figure><figcaption>" + caption + "</figcaption><img class=\"" + kind + "\" alt=\"" +
-         kind + " picture of " + escaped(name) + "\" src=\"data:image/png;base64," + base64(png) +
-         "\"></figure>\n";
-}
-
-std::string row(const char* name, const std::string& value) {
-  return std::string("<tr><th scope=\"row\">") + name + "</th><td>" + escaped(value) +
-         "</td></tr>\n";
-}
-
-std::string figureRows(const ComparedPair& pair) {
-  std::string text = row("Expected", pair.expected) + row("Actual", pair.actual);
-  if (!pair.figures) return text + row("Finding", pair.fault);
-  const Comparison& f = *pair.figures;
-  text += row("Size", std::to_string(pair.actualWidth) + " x " + std::to_string(pair.actualHeight));
-  text += row("Maximum", std::to_string(f.maximum)) + row("Mean", numberText(f.mean)) +
-          row("RMS", numberText(f.rms)) + row("PSNR in dB", numberText(f.psnr)) +
-          row("Pixels over", std::to_string(f.pixelsOver) + " of " + std::to_string(f.pixels) +
-                                 " (" + numberText(f.percentOver()) + " %)");
-  if (f.maximum > 0) {
-    text += row("Worst pixel", std::to_string(f.worstX) + " " + std::to_string(f.worstY));
+std::string rowsOf(const ComparedPair& pair, const CompareRequest& request) {
+  std::vector<Figure> figures = figuresOf(pair, request);
+  if (!pair.fault.empty()) figures.push_back({"finding", pair.fault});
+  std::string rows;
+  for (const Figure& figure : figures) {
+    rows += filled(kRow, {figure.name, escaped(figure.value)});
   }
-  if (f.pixelsOver > 0) {
-    text += row("Box", std::to_string(f.boxX) + " " + std::to_string(f.boxY) + ", " +
-                           std::to_string(f.boxWidth) + " x " + std::to_string(f.boxHeight));
-  }
-  return text;
+  return rows;
 }
 
-std::string pictures(const ComparedPair& pair) {
+std::string pictureText(const char* kind, const std::string& caption, const Bytes& png,
+                        const ComparedPair& pair) {
+  return filled(kFigure, {kind, caption, escaped(pair.name), base64(png)});
+}
+
+std::string picturesOf(const ComparedPair& pair) {
   if (pair.expectedPng.empty()) return "";
+  const std::string start = "<div class=\"pictures\">", end = "</div>\n";
   if (pair.actualPng.empty()) {
-    return "<div class=\"pictures\">" +
-           figure("expected", "expected and actual, which are equal", pair.expectedPng, pair.name) +
-           "</div>\n";
+    const char* caption = "expected and actual, which are equal";
+    return start + pictureText("expected", caption, pair.expectedPng, pair) + end;
   }
-  const std::string name = escaped(pair.name);
-  return "<div class=\"pictures\">" + figure("expected", "expected", pair.expectedPng, pair.name) +
-         figure("actual", "actual", pair.actualPng, pair.name) +
-         figure("difference", "difference, " + std::to_string(kDifferenceGain) + " times",
-                pair.differencePng, pair.name) +
-         "</div>\n<div class=\"compare\" hidden><div class=\"wipe\"><img alt=\"\"><img alt=\"\">"
-         "</div>\n<div class=\"tools\"><label>actual <input type=\"range\" min=\"0\" max=\"100\" "
-         "value=\"50\" aria-label=\"How much of the expected picture covers the actual one, " +
-         name +
-         "\"> expected</label>\n<button type=\"button\" aria-pressed=\"false\" "
-         "aria-label=\"Blink between the two pictures, " +
-         name + "\">Blink</button> <output></output></div></div>\n";
-}
-
-std::string section(const ComparedPair& pair, std::size_t number) {
-  const std::string result = nameOf(pair.result), id = "pair" + std::to_string(number);
-  return "<section class=\"" + result + "\" aria-labelledby=\"" + id + "\">\n<h2 id=\"" + id +
-         "\" tabindex=\"0\">" + escaped(pair.name) + ": " + result + "</h2>\n<table>\n" +
-         figureRows(pair) + "</table>\n" + pictures(pair) + "</section>\n";
+  const std::string difference = "difference, " + std::to_string(kDifferenceGain) + " times";
+  return start + pictureText("expected", "expected", pair.expectedPng, pair) +
+         pictureText("actual", "actual", pair.actualPng, pair) +
+         pictureText("difference", difference, pair.differencePng, pair) + end +
+         filled(kWipe, {escaped(pair.name)});
 }
 
 }  // namespace
 
-std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& options) {
-  std::size_t same = 0;
-  for (const ComparedPair& pair : pairs) same += pair.result == ComparedPair::Result::same;
+std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request) {
+  const auto same = std::count_if(pairs.begin(), pairs.end(), [](const ComparedPair& pair) {
+    return pair.result == ComparedPair::Result::same;
+  });
   std::string page = kHead;
-  page += "<p>" + std::to_string(pairs.size()) + " pairs, " + std::to_string(same) +
-          " of them the same within " + std::to_string(options.tolerance) +
-          " of 255 levels in all but " + numberText(options.failPercent) +
-          " % of the pixels. The worst come first.</p>\n"
-          "<p>Keys: Tab goes on, n and p to the next and previous pair; arrows move a slider, the "
-          "space bar starts and stops blinking. <label>Zoom <select id=\"zoom\"><option>1</option>"
-          "<option>2</option><option>4</option><option>8</option></select></label></p>\n";
-  for (std::size_t i = 0; i < pairs.size(); ++i) page += section(pairs[i], i + 1);
+  page +=
+      filled(kIntroduction, {std::to_string(pairs.size()), std::to_string(same),
+                             std::to_string(request.tolerance), numberText(request.failPercent)});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const ComparedPair& pair = pairs[i];
+    page += filled(kSection, {std::to_string(i + 1), nameOf(pair.result), escaped(pair.name),
+                              rowsOf(pair, request), picturesOf(pair)});
+  }
   return page + kScript + "</body></html>\n";
 }
