@@ -37,6 +37,8 @@ std::uint32_t tilesAlong(int pixels) {
 
 }  // namespace
 
+/// Tiles of the file go straight into the pictures. One tile may come in several records, each of
+/// other pictures: colours with samples are rendered in one pass, depth and normals in another.
 Checkpoint::Checkpoint(const std::string& path, const Digest& fingerprint,
                        const RenderTargets& targets)
     : targets_(targets),
@@ -78,6 +80,8 @@ void Checkpoint::forEachTile(const PixelRectangle& area, const Visit& visit) con
   }
 }
 
+/// Of what was found at the start alone: what this run finishes itself it does not ask for again,
+/// so that found_ never changes while threads read it.
 bool Checkpoint::isFinished(const RenderTargets& targets, const PixelRectangle& area) const {
   const std::uint32_t wanted = pictureBits(targets);
   bool finished = true;
@@ -91,6 +95,7 @@ void Checkpoint::finish(const RenderTargets& targets, const PixelRectangle& area
   forEachTile(area, [&](std::uint32_t tile) { unsaved_.push_back({tile, pictures}); });
 }
 
+/// Each picture of each tile counts the same, whatever its size.
 double Checkpoint::foundShare() const {
   const auto count = [](std::uint32_t pictures) {
     return double(std::bitset<kPictureKinds>(pictures).count());
@@ -100,6 +105,7 @@ double Checkpoint::foundShare() const {
   return found / (double(found_.size()) * count(pictureBits(targets_)));
 }
 
+/// The pipe does not block: a handler that met a full one would hang the program that it is to end.
 void Checkpoint::startSaving() {
   if (pipe2(signals_, O_CLOEXEC | O_NONBLOCK) != 0) {
     throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
@@ -113,6 +119,7 @@ void Checkpoint::startSaving() {
   passSignalsTo(signals_[1]);
 }
 
+/// Woken by a signal's number, by 0 from stop(), or by nothing for kInterval; saves in each case.
 void Checkpoint::saveUntilStopped() {
   for (;;) {
     struct pollfd event = {signals_[0], POLLIN, 0};
@@ -134,6 +141,8 @@ void Checkpoint::save(Clock::time_point deadline) {
     tiles.swap(unsaved_);
   }
   try {
+    // From the last one on, so that what is left to save stays at the front. A tile that fails is
+    // still among them.
     for (; !tiles.empty() && Clock::now() < deadline; tiles.pop_back()) {
       const Tile& tile = tiles.back();
       file_.append(tile, tileBytes(withPictures(targets_, tile.pictures), areaOf(tile.number)));
@@ -142,6 +151,7 @@ void Checkpoint::save(Clock::time_point deadline) {
     if (!complained_) complain(std::string("warning: ") + error.what());
     complained_ = true;
   }
+  // Workers may have finished others meanwhile: the lock is not held while the disk is waited for.
   const std::lock_guard<std::mutex> lock(mutex_);
   unsaved_.insert(unsaved_.end(), tiles.begin(), tiles.end());
 }

@@ -53,6 +53,8 @@ CheckpointFile::CheckpointFile(const std::string& path, const Digest& fingerprin
 
 void CheckpointFile::fail(int error) const { throw OutputError(path_, std::strerror(error)); }
 
+/// A plain file alone: a record is written at a place of its own, and the file is cut off. A FIFO
+/// is opened without waiting (O_NONBLOCK), to be refused; a terminal does not become ours.
 /// Another run may remove the file between our opening and locking it: then once more.
 void CheckpointFile::open() {
   struct stat status = {};
@@ -78,6 +80,8 @@ std::size_t CheckpointFile::readAt(off_t offset, std::uint8_t* target, std::size
 /// Title and fingerprint each suffice to know the file by, in case the other one is damaged. A new
 /// header is on the disk before anything else, so that a power failure leaves a file that is known.
 void CheckpointFile::checkHeader() {
+  // What a file that is shorter does not have stays 0: a run was killed while it made the file, or
+  // somebody made an empty one for us.
   Bytes found(kHeaderSize);
   const std::size_t size = readAt(0, found.data(), kHeaderSize);
   const std::uint8_t* const fingerprint = found.data() + kTitleSize;
@@ -105,6 +109,8 @@ void CheckpointFile::checkHeader() {
   if (fsync(file_->descriptor()) != 0 && errno != EINVAL) fail(errno);
 }
 
+/// The fingerprint is part of it: a record that was copied here from another picture's file is not
+/// taken for one of ours.
 Digest CheckpointFile::checksumOf(const std::uint8_t* record, std::size_t size) const {
   Sha256 hash;
   hash.add(fingerprint_);
@@ -142,6 +148,8 @@ off_t CheckpointFile::findMark(off_t from, off_t to) const {
   return -1;
 }
 
+/// Each mark that begins no whole record may cost the reading and hashing of a tile: a file made of
+/// nothing but marks would keep us busy for the square of its size, and is left at kMostDamage.
 void CheckpointFile::readTiles(const SizeOf& sizeOf, const Receiver& receive) {
   Bytes record;
   off_t at = end_, inVain = 0;  // bytes of what looked like records
@@ -168,6 +176,8 @@ void CheckpointFile::append(const Tile& tile, const Bytes& pixels) {
   appendBytes(record);
 }
 
+/// At a place and not at the end: where the last try failed half way, as on a full disk, this one
+/// writes over what it left. end_ moves only when all bytes are written.
 void CheckpointFile::appendBytes(const Bytes& bytes) {
   std::size_t done = 0;
   while (done < bytes.size()) {
@@ -180,6 +190,7 @@ void CheckpointFile::appendBytes(const Bytes& bytes) {
   end_ += off_t(done);
 }
 
+/// The lock is still ours, so that no other run has begun to use the file.
 void CheckpointFile::remove() {
   if (unlink(place_.c_str()) != 0 && errno != ENOENT) fail(errno);
 }

@@ -11,10 +11,10 @@
 
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20;
-
+constexpr std::size_t kMostBytes = 64 << 20;  // far more than anyone writes; a wrong file is told
 constexpr std::string_view kBlanks = " \t\r";
 
+/// Quotes may begin and end within a word, as in a shell: a"b c"d is ab cd. There are no escapes.
 /// The words of a line, quotes taken away. Throws UsageError where a quote is not closed.
 std::vector<std::string> wordsOf(const std::string& line) {
   std::vector<std::string> words;
@@ -36,6 +36,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
   return words;
 }
 
+/// Scenes are looked up beside the table, wherever the program is called.
 std::string beside(const std::string& table, const std::string& file) {
   if (file.empty() || file == "-") return file;
   return (std::filesystem::path(table).parent_path() / file).string();
@@ -50,6 +51,7 @@ TableCommand readLine(const std::string& path, const std::string& line,
                      ::quoted(picture));
   }
   words.erase(words.begin());
+  // Read as what it stands for; an -output that comes later would win over it, and is refused.
   if (picture != "-") words.insert(words.begin(), {"-output", picture});
   Request request = parseRequest(words, defaults);
   const ResultRequest& results = request.render.results;

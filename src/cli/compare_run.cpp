@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Result = ComparedPair::Result;
 
+/// Exit status; the greatest one of all pairs is the program's.
 enum CompareStatus { kSame = 0, kDifferent = 1, kUnreadable = 3 };
 
 bool isFolder(const std::string& path) {
@@ -81,6 +82,8 @@ void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest
   }
 }
 
+/// All outputs are checked before the first picture is read: a long comparison is not to end with
+/// the refusal to write its result.
 std::vector<ComparedPair> compareFolders(const CompareRequest& request, bool quiet) {
   std::vector<ComparedPair> pairs = pairsIn(request.expected, request.actual);
   for (const ComparedPair& pair : pairs) {
@@ -95,6 +98,7 @@ std::vector<ComparedPair> compareFolders(const CompareRequest& request, bool qui
 void compareCommand(const TableCommand& command, const CompareRequest& request,
                     const std::vector<std::string>& expected, std::set<std::string>& taken,
                     std::vector<ComparedPair>& pairs) {
+  // Rendered as a whole: where that fails, none of the command's pictures can be compared.
   std::vector<Output> outputs = outputsOf(command.render.results);
   ComparedPair whole;
   whole.name = outputs[0].file;
@@ -117,6 +121,8 @@ void compareCommand(const TableCommand& command, const CompareRequest& request,
   }
 }
 
+/// Pairs come in the order of the table; then the pictures of the folder that nobody has rendered.
+/// Unless -progress is given there is no line of progress for each command.
 std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunRequest& run) {
   const std::vector<std::string> expected = picturesIn(request.expected);
   for (const std::string& name : expected) {
@@ -138,6 +144,7 @@ std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunR
   return pairs;
 }
 
+/// What EXPECTED and ACTUAL are decides: see runComparison.
 std::vector<ComparedPair> compareAll(const CompareRequest& request, const RunRequest& run) {
   if (!isFolder(request.expected)) {
     const std::string name = fs::path(request.expected).filename().string();
@@ -195,6 +202,7 @@ int runComparison(const CompareRequest& request, const RunRequest& run) {
     return kUnreadable;
   }
   const CompareStatus status = statusOf(pairs);
+  // Figures are printed before any file is written, so that one that fails does not cost them.
   const bool isSingle = !isFolder(request.expected);
   const std::string text = isSingle ? figureLines(pairs[0], request) : pairLines(pairs);
   const bool printed = run.quiet || print(text) == kDone;

@@ -1,4 +1,6 @@
-// What a comparison tells in text: lines to be read, and rows of a table.
+// What a comparison tells in text: lines to be read, and rows of a table. The lines of one pair and
+// the page of the report show the same list of figures, which figuresOf makes; a row of the table
+// has the bare numbers, each in a column of its own, so that a spreadsheet can work with them.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -13,16 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 using Result = ComparedPair::Result;
 
+/// A table is known as ours by this line, which never changes: scripts name its columns.
 constexpr const char* kCsvHeading =
     "name,expected,actual,result,expected_width,expected_height,actual_width,actual_height,"
     "maximum,mean,rms,psnr,pixels_over,percent_over,worst_x,worst_y,box_x,box_y,box_width,"
     "box_height\r\n";
 
+/// How many pixels differ by more than the tolerance.
 std::string overText(const Comparison& f) {
   return std::to_string(f.pixelsOver) + " of " + std::to_string(f.pixels) + " pixels (" +
          numberText(f.percentOver()) + " %)";
 }
 
+/// In decibels; equal pictures have no noise at all.
 std::string psnrText(const Comparison& f) {
   return std::isinf(f.psnr) ? "inf" : numberText(f.psnr) + " dB";
 }
@@ -40,7 +45,8 @@ std::string pairText(const char* between, int a, int b) {
   return std::to_string(a) + between + std::to_string(b);
 }
 
-/// In double quotes where a field needs them.
+/// A field in double quotes where it holds a comma, a quote or the end of a line; quotes within are
+/// doubled. RFC 4180, section 2.
 std::string quotedField(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -51,6 +57,7 @@ std::string quotedField(const std::string& text) {
 /// A width or height, which is 0 where there is no picture.
 std::string sizeField(int size) { return size == 0 ? "" : std::to_string(size); }
 
+/// 20 fields, those of figures empty where there are none.
 std::string csvRow(const ComparedPair& pair) {
   std::string row = quotedField(pair.name) + "," + quotedField(pair.expected) + "," +
                     quotedField(pair.actual) + "," + nameOf(pair.result);
@@ -94,6 +101,7 @@ std::string numberText(double value) {
   return text;
 }
 
+/// A pair at fault has no sizes, and one of two sizes no figures that compare pixels.
 std::vector<Figure> figuresOf(const ComparedPair& pair, const CompareRequest& request) {
   std::vector<Figure> figures = {{"expected", pair.expected}, {"actual", pair.actual}};
   const auto add = [&](const char* name, const std::string& value) {

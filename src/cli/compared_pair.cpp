@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Result = ComparedPair::Result;
 
+/// By the ending alone: a file that is no picture in spite of it is unreadable, and so told.
 bool isPictureName(const fs::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) {
@@ -28,12 +29,15 @@ bool isPictureName(const fs::path& path) {
   return false;
 }
 
+/// out/a.tga is out/a.
 fs::path withoutEnding(const std::string& name) { return fs::path(name).replace_extension(); }
 
 std::string sizeText(const Image& image) {
   return std::to_string(image.Width()) + " x " + std::to_string(image.Height());
 }
 
+/// As PNG, which for most pictures is a tenth of the memory of their pixels: a report holds those
+/// of all pairs at once.
 void keepPictures(const Image& expected, const Image& actual, ComparedPair& pair) {
   pair.expectedPng = encodePicture(expected, PictureFormat::png);
   if (pair.comparison && pair.comparison->maximum == 0) return;
@@ -66,6 +70,7 @@ std::string inFolder(const std::string& folder, const std::string& name) {
   return name.empty() ? "" : (fs::path(folder) / name).string();
 }
 
+/// The order of a folder is the file system's own; sorted, it is the same everywhere.
 std::vector<std::string> picturesIn(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
@@ -90,6 +95,7 @@ std::string partnerOf(const std::string& name, const std::vector<std::string>& p
   return found == pictures.end() ? "" : *found;
 }
 
+/// Two expected pictures may have the same partner, for example a TGA and a PNG of one name.
 std::vector<ComparedPair> pairsIn(const std::string& expectedFolder,
                                   const std::string& actualFolder) {
   const std::vector<std::string> expected = picturesIn(expectedFolder);

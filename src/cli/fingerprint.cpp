@@ -1,4 +1,9 @@
-// The fingerprint of a picture.
+// The fingerprint of a picture: one SHA-256 over all that decides on its pixels, one after the
+// other: version, scene, meshes, kinds of pictures, arguments. Texts go in with their lengths
+// before them, numbers as 8 bytes, so that no two lists of them give the same bytes ("ab" "c" and
+// "a" "bc"). Arguments count as they were given, word by word: that is stricter than need be, but a
+// new argument cannot be forgotten. Parts in users' folders bear this fingerprint: its order stays
+// as it is.
 #include "cli/fingerprint.h"
 
 #include <algorithm>
@@ -58,6 +63,7 @@ void addPictures(const ResultRequest& results, Sha256& hash) {
   if (results.find(Kind::materials)) addText("materials", hash);
 }
 
+/// In the order in which they were given: of two filters or patterns the last one holds.
 void addArguments(const std::vector<GivenArgument>& arguments, Sha256& hash) {
   for (const GivenArgument& given : arguments) {
     if (!changesPicture(given.name)) continue;
@@ -79,6 +85,8 @@ bool changesPicture(const std::string& name) {
   return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
 }
 
+/// In pieces, because SHA-256 itself cannot be shared among threads: hashed so, a mesh of gigabytes
+/// takes the time of its slowest piece. At the most one piece a thread is in memory.
 Digest fileDigest(const std::string& path, int threads) {
   const OpenFile file(path);
   if (!file.isOpen()) fail(path, std::strerror(errno));
@@ -103,7 +111,7 @@ Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenA
   addText(versionText(), hash);
   hash.add(scene);
   hash.addNumber(meshFiles.size());
-  std::map<std::string, Digest> known;
+  std::map<std::string, Digest> known;  // a mesh that is named a thousand times is read once
   for (const std::string& file : meshFiles) {
     const auto found = known.find(file);
     const Digest digest = found != known.end() ? found->second : fileDigest(file, threads);

@@ -56,6 +56,7 @@ struct Place {
   int left, top, right, bottom;
 };
 
+/// "row 3", or "rows 3 to 7": `to` is the first one that no longer belongs.
 std::string spanText(const char* one, int from, int to) {
   if (to - from == 1) return std::string(one) + " " + std::to_string(from);
   return std::string(one) + "s " + std::to_string(from) + " to " + std::to_string(to - 1);
@@ -72,6 +73,7 @@ std::string placeText(const Place& place, int width) {
 class Cover {
  public:
   Cover(const Parts& parts, const PartId& whole) : inRow_(parts), width_(whole.width) {
+    // The list of parts in a row can only change where one of them begins or ends.
     std::set<int> edges = {0, whole.height};
     for (const PartFile& part : parts) edges.insert({part.y, part.bottom()});
     auto edge = edges.begin();
@@ -83,6 +85,8 @@ class Cover {
   const std::vector<std::string>& mistakes() const { return mistakes_; }
 
  private:
+  /// Rows top <= y < bottom: from left to right, `end` being the first pixel that no part so far
+  /// holds. A part may lie inside an earlier one, which then still reaches furthest.
   void checkBand(int top, int bottom) {
     int end = 0;
     const PartFile* reaching = nullptr;  // the part that ends there
@@ -106,6 +110,7 @@ class Cover {
     if (gaps_.size() < kMostComplaints) gaps_.push_back(place);
   }
 
+  /// Each two parts are told of once, although they may meet in many bands.
   void addOverlap(const PartFile& a, const PartFile& b) {
     if (mistakes_.size() >= kMostComplaints || !overlapping_.insert({&a, &b}).second) return;
     const Place both = {std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.right(), b.right()),
@@ -114,6 +119,7 @@ class Cover {
                         placeText(both, width_) + " in both");
   }
 
+  /// -region takes X Y W H.
   void report(const Place& gap) {
     const int rows = gap.bottom - gap.top;
     const bool isOne = rows == 1 && gap.left == 0 && gap.right == width_;
@@ -191,6 +197,7 @@ std::string differenceText(const PartId& expected, const PartId& found) {
   return "another scene, other meshes or other arguments";
 }
 
+/// The first part says which picture it is; where it is the wrong one, all others are named.
 void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
   for (const PartFile& part : parts) {
     if (textOf(part.id) == textOf(parts[0].id)) continue;
@@ -207,6 +214,7 @@ void write(const Parts& parts, const std::string& path) {
     const auto row = [&rows](int y) -> const Bytes& { return rows.row(y); };
     return writeTgaRows(width, height, row, path);
   }
+  // Other formats want the image as a whole, whose rows are counted from the bottom; BGR to RGB.
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* pixel = rows.row(y).data();

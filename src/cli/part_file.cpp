@@ -1,5 +1,9 @@
 // PartFile: the header of a part is that of our TGAs (see image/tga.h) but for the image ID and the
-// origin. Whatever has another header, ID or length is no part, or a damaged one.
+// origin. Byte 0 of the 18 is the length of the ID, 2 the type (2: colours as they are), 8 to 15
+// are X, Y, width and height, the low byte first, 16 the bits of a pixel, 17 the descriptor (0x20:
+// top row first). Then come the ID and the rows, BGR. Whatever has another header, ID or length is
+// no part, or a damaged one: each check has its own message, from "no such thing" to "cut off", so
+// that a user with hundreds of files sees at once what happened to one.
 #include "cli/part_file.h"
 
 #include <algorithm>
@@ -23,6 +27,7 @@ const char* nameOf(OutputRequest::Kind kind) {
   return "normals";
 }
 
+/// Two digits for each byte, the high one first.
 std::string hexadecimal(const Digest& digest) {
   std::string text;
   for (const std::uint8_t byte : digest) {
@@ -32,7 +37,9 @@ std::string hexadecimal(const Digest& digest) {
   return text;
 }
 
-/// True where `text` is what textOf gives for some `id`, which is then set.
+/// The words are read back and written anew: so every other spelling (blanks, leading zeros, a
+/// sign) is refused without a rule for each. True where `text` is what textOf gives for some `id`,
+/// which is then set.
 bool readId(const std::string& text, PartId& id) {
   std::istringstream words(text);
   std::string word;
@@ -53,6 +60,7 @@ bool readId(const std::string& text, PartId& id) {
   fail(path, "expected a TGA that -region or -tile has written, found " + found);
 }
 
+/// Fewer bytes than `size` only at the end of the file. Throws InputError.
 std::size_t readAt(const std::string& path, const OpenFile& file, std::int64_t offset,
                    std::uint8_t* target, std::size_t size) {
   const ssize_t count = file.readAt(off_t(offset), target, size);
@@ -71,10 +79,13 @@ bool isHeader(const std::uint8_t* header) {
 
 std::string bytesText(std::int64_t count) { return std::to_string(count) + " bytes"; }
 
+/// Where the top row begins, in bytes.
 std::int64_t pixelsStart(const PartFile& part) {
   return std::int64_t(kHeader + textOf(part.id).size());
 }
 
+/// Throws InputError where the part reaches out of its picture, or the file of `found` bytes does
+/// not end with its last pixel.
 void checkPlaceAndSize(const PartFile& part, std::int64_t found) {
   const bool fits = part.width > 0 && part.height > 0 && part.right() <= part.id.width &&
                     part.bottom() <= part.id.height;
@@ -100,6 +111,7 @@ PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const 
         argument.name == "size" || argument.name == "region" || argument.name == "tile";
     if (!isPlace) given.push_back(argument);
   }
+  // As if the run had been for this output alone.
   ResultRequest alone;
   alone.outputs = {output};
   const Digest digest = pictureFingerprint(alone, given, scene, meshFiles, threads);

@@ -9,6 +9,7 @@
 
 namespace {
 
+/// The browser is told to load nothing from outside, and to run no script but the one below.
 constexpr const char* kHead = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:;
@@ -144,7 +145,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string base64(const Bytes& bytes) {  // RFC 4648, section 4
+/// Three bytes are four digits of 6 bits, the last ones filled up with '='. RFC 4648, section 4.
+std::string base64(const Bytes& bytes) {
   static constexpr char kDigits[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -160,6 +162,7 @@ std::string base64(const Bytes& bytes) {  // RFC 4648, section 4
   return text;
 }
 
+/// The figures as rows of the table, and why there are none.
 std::string rowsOf(const ComparedPair& pair, const CompareRequest& request) {
   std::vector<Figure> figures = figuresOf(pair, request);
   if (!pair.fault.empty()) figures.push_back({"finding", pair.fault});
@@ -175,6 +178,7 @@ std::string pictureText(const char* kind, const std::string& caption, const Byte
   return filled(kFigure, {kind, caption, escaped(pair.name), base64(png)});
 }
 
+/// Nothing where a picture could not be read; one picture where both are equal.
 std::string picturesOf(const ComparedPair& pair) {
   if (pair.expectedPng.empty()) return "";
   const std::string start = "<div class=\"pictures\">", end = "</div>\n";

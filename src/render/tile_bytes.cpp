@@ -39,6 +39,7 @@ void forEachPixel(const RenderTargets& targets, const PixelRectangle& area, cons
   }
 }
 
+/// The bits as they are, NaN included.
 void appendFloat(float value, Bytes& bytes) {
   std::uint32_t bits = 0;
   static_assert(sizeof bits == sizeof value);
@@ -61,6 +62,7 @@ std::uint32_t pictureBits(const RenderTargets& targets) {
   return bits;
 }
 
+/// Exact floats have bits of their own, but never come without the picture of the same name.
 RenderTargets withPictures(const RenderTargets& targets, std::uint32_t bits) {
   RenderTargets some = targets;
   for (int i = 0; i < kPictureKinds; ++i) {
@@ -91,6 +93,7 @@ std::size_t tileByteCount(const RenderTargets& targets, const PixelRectangle& ar
   return bytes;
 }
 
+/// Called while other threads write to other tiles: it reads no pixel outside `area`.
 Bytes tileBytes(const RenderTargets& targets, const PixelRectangle& area) {
   Bytes bytes;
   bytes.reserve(tileByteCount(targets, area));
