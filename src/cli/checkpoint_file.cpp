@@ -5,7 +5,6 @@
 // there is no whole record, the next mark "Tile" is looked for, byte by byte: bytes of pixels may
 // look like one, but have no right checksum. The end of the last whole record is the end of the
 // file from then on, so that a record torn by SIGKILL is overwritten by the next one.
-#include "cli/program.h"
 #include "cli/checkpoint_file.h"
 
 #include <fcntl.h>
@@ -17,6 +16,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "render/tile_bytes.h"
 

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "cli/usage_error.h"
 #include "image/output_file.h"
 #include "random.h"
 #include "render/image_plane.h"
