@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr std::size_t kMostBytes = 64 << 20;  // far more than anyone writes; a wrong file is told
+constexpr std::size_t kMostBytes = 64 << 20;  // more than anyone writes: a wrong file
 constexpr std::string_view kBlanks = " \t\r";
 
 /// Quotes may begin and end within a word, as in a shell: a"b c"d is ab cd. There are no escapes.

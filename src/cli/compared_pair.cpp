@@ -36,8 +36,8 @@ std::string sizeText(const Image& image) {
   return std::to_string(image.Width()) + " x " + std::to_string(image.Height());
 }
 
-/// As PNG, which for most pictures is a tenth of the memory of their pixels: a report holds those
-/// of all pairs at once.
+/// As PNG, in which they go into the report: it holds those of all pairs at once, and their pixels
+/// would take more memory.
 void keepPictures(const Image& expected, const Image& actual, ComparedPair& pair) {
   pair.expectedPng = encodePicture(expected, PictureFormat::png);
   if (pair.comparison && pair.comparison->maximum == 0) return;

@@ -85,8 +85,8 @@ bool changesPicture(const std::string& name) {
   return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
 }
 
-/// In pieces, because SHA-256 itself cannot be shared among threads: hashed so, a mesh of gigabytes
-/// takes the time of its slowest piece. At the most one piece a thread is in memory.
+/// In pieces, because SHA-256 itself goes from block to block and cannot be shared among threads.
+/// No more than one piece a thread is in memory.
 Digest fileDigest(const std::string& path, int threads) {
   const OpenFile file(path);
   if (!file.isOpen()) fail(path, std::strerror(errno));
