@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "cli/program.h"
 #include "check.h"
 #include "image/output_file.h"
 #include "random.h"
