@@ -32,14 +32,15 @@ class RayInTransforms {
       : objects_(objects), world_(ray), ray_(ray) {}
 
   const Ray& in(int transform) {
-    if (transform != innermost_) enter(transform);
+    if (transform != innermost_) ray_ = enter(transform, nullptr);
     innermost_ = transform;
     return ray_;
   }
   /// Takes a hit inside `transform` out to the world.
-  void restate(int transform, Hit& hit) {
-    in(transform);
-    for (auto step = path_.rbegin(); step != path_.rend(); ++step) {
+  void restate(int transform, Hit& hit) const {
+    std::vector<Step> path;
+    enter(transform, &path);
+    for (auto step = path.rbegin(); step != path.rend(); ++step) {
       step->transform->toParent(step->outside, hit);
     }
   }
@@ -49,24 +50,20 @@ class RayInTransforms {
     const Transform* transform;
     Ray outside;
   };
-  /// Enters from the world. The depth of recursion is the scene's nesting.
-  void enter(int transform) {
-    if (transform == GridTransform::kWorld) {
-      path_.clear();
-      ray_ = world_;
-      return;
-    }
+  /// The ray inside; `path`, where it is not null, gets the Transforms on the way, the outermost
+  /// first. The depth of recursion is the scene's nesting.
+  Ray enter(int transform, std::vector<Step>* path) const {
+    if (transform == GridTransform::kWorld) return world_;
     const GridTransform& inner = objects_.transformAt(transform);
-    enter(inner.parent);
-    path_.push_back({inner.transform, ray_});
-    ray_ = inner.transform->toObject(ray_);
+    const Ray outside = enter(inner.parent, path);
+    if (path) path->push_back({inner.transform, outside});
+    return inner.transform->toObject(outside);
   }
 
   const GridObjects& objects_;
   const Ray& world_;
   Ray ray_;
   int innermost_ = GridTransform::kWorld;
-  std::vector<Step> path_;  // the Transforms on the way, the outermost first
 };
 
 /// Which hit is the nearest. It stays in the space of its object until it is stored.
