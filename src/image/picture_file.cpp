@@ -50,11 +50,19 @@ void encode(const Image& image, PictureFormat format, int threads, const TgaPlac
   }
 }
 
-/// Writes what encodeTo(sink) gives.
+/// Writes what encodeTo(sink) gives, in fewer and larger pieces: a row each would be many calls.
 template <class EncodeTo>
 void write(const std::string& path, const EncodeTo& encodeTo) {
+  constexpr std::size_t kPiece = 65536;
   OutputFile file(path);
-  encodeTo([&file](const Bytes& piece) { file.write(piece.data(), piece.size()); });
+  Bytes waiting;
+  encodeTo([&](const Bytes& piece) {
+    waiting.insert(waiting.end(), piece.begin(), piece.end());
+    if (waiting.size() < kPiece) return;
+    file.write(waiting.data(), waiting.size());
+    waiting.clear();
+  });
+  file.write(waiting.data(), waiting.size());
   file.commit();
 }
 

@@ -142,8 +142,8 @@ TEST("the filter of a row is the one of the least sum of differences") {
   CHECK(std::all_of(rows.begin() + 1803, rows.end(), [](std::uint8_t byte) { return byte == 0; }));
 }
 
-TEST("the pictures of the scenes, 100 x 75, take at most 11.8 % of their TGA files") {
-  // libpng's take 11.6 %. The larger a picture is, the less.
+TEST("the pictures of the scenes, 100 x 75, take at most 11.9 % of their TGA files") {
+  // libpng's take 11.7 %. The larger a picture is, the less.
   double png = 0, tga = 0;
   const std::filesystem::path folder = std::filesystem::path(check::testsFolder()) / "expected";
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
@@ -153,7 +153,7 @@ TEST("the pictures of the scenes, 100 x 75, take at most 11.8 % of their TGA fil
     tga += 18 + 3.0 * image.Width() * image.Height();
   }
   CHECK(tga > 0);
-  check::report(png <= 0.118 * tga, __FILE__, __LINE__, std::to_string(png / tga));
+  check::report(png <= 0.119 * tga, __FILE__, __LINE__, std::to_string(png / tga));
 }
 
 TEST("slopes cost little, for the filters guess them") {
