@@ -160,6 +160,16 @@ void wantText(Words, Draft& draft) {
   draft.text = std::min(draft.text, text);
 }
 
+void wantHelp(Words words, Draft& draft) {
+  wantText<ProgramText::help>(words, draft);
+  if (words.all().empty()) return;
+  draft.topic = findTopic(words[0]);
+  if (draft.topic) return;
+  std::vector<std::string_view> names;
+  for (const HelpTopic& topic : helpTopics()) names.push_back(topic.name);
+  words.failChoice(0, WordList(names.data(), names.size()));
+}
+
 constexpr ArgumentRow kRows[] = {
     {kReading, "input", nullptr, "FILE", nullptr,
      "scene to read (needed but for -compare and -merge); - is standard input",
@@ -354,8 +364,9 @@ constexpr ArgumentRow kRows[] = {
        draft.run.progress = RunRequest::Progress::off;
      },
      Mode::any},
-    {kInformation, "help", "h", "", nullptr, "print this list", wantText<ProgramText::help>,
-     Mode::any},
+    {kInformation, "help", "h", "[TOPIC]", nullptr,
+     "print this list, or what is to be known of one of the topics at its end", wantHelp, Mode::any,
+     "scene materials samples output inside grid parts checkpoint compare limits"},
     {kInformation, "version", nullptr, "", nullptr, "print the version",
      wantText<ProgramText::version>, Mode::any},
     {kInformation, "man", nullptr, "", nullptr, "print the manual page, to be read with man -l -",

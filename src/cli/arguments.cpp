@@ -1,6 +1,7 @@
 // Looking arguments up, and reading the words that follow them.
 #include "cli/arguments.h"
 
+#include <limits>
 #include <sstream>
 
 #include "scene/number_reader.h"
@@ -19,16 +20,19 @@ std::string helpOf(const ArgumentRow& row) {
   return row.defaultWords ? help + " (default: " + row.defaultWords + ")" : help;
 }
 
-int countWords(const ArgumentRow& row) {
-  if (!*row.words) return 0;
+int leastWords(const ArgumentRow& row) {
+  if (!*row.words || row.words[0] == '[') return 0;
   int count = 1;
   for (const char* c = row.words; *c; ++c) count += *c == ' ';
   return count;
 }
 
-bool takesMore(const ArgumentRow& row) {
+std::size_t mostWords(const ArgumentRow& row) {
   const std::string words = row.words;
-  return words.size() >= 3 && words.compare(words.size() - 3, 3, "...") == 0;
+  if (words.size() >= 3 && words.compare(words.size() - 3, 3, "...") == 0) {
+    return std::numeric_limits<std::size_t>::max();
+  }
+  return words[0] == '[' ? 1 : std::size_t(leastWords(row));
 }
 
 void ArgumentWords::fail(std::size_t index, const std::string& expected) const {
@@ -82,15 +86,19 @@ double ArgumentWords::anyNumber(std::size_t index, const std::string& what) cons
   fail(index, (isNumber(index) ? "a number within range for " : "a number for ") + what);
 }
 
+void ArgumentWords::failChoice(std::size_t index, WordList choices) const {
+  const std::string nearest(nearestWord(words_[index], choices));
+  throw UsageError(std::string("-") + row_.name + ": expected " + listed(choices) + ", found " +
+                   ::quoted(words_[index]) +
+                   (nearest.empty() ? "" : "; did you mean " + ::quoted(nearest) + "?"));
+}
+
 bool ArgumentWords::isFirstChoice(std::size_t index, std::string_view yes,
                                   std::string_view no) const {
   const std::string& word = words_[index];
   if (word == yes || word == no) return word == yes;
   const std::string_view choices[] = {yes, no};
-  const std::string nearest(nearestWord(word, choices));
-  throw UsageError(std::string("-") + row_.name + ": expected " + listed(choices) + ", found " +
-                   ::quoted(word) +
-                   (nearest.empty() ? "" : "; did you mean " + ::quoted(nearest) + "?"));
+  failChoice(index, choices);
 }
 
 const std::string& ArgumentWords::file(std::size_t index) const {

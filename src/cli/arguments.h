@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/request.h"
+#include "scene/wording.h"
 
 /// A request whose arguments are being read. Places on the picture stay as they were given, in
 /// pixels from its top left corner, until its size is known.
@@ -26,11 +27,13 @@ struct ArgumentRow {
   const char* group;         ///< heading under which it is listed
   const char* name;          ///< without dashes
   const char* otherName;     ///< a second spelling, or nullptr
-  const char* words;         ///< the words that follow it, separated by single blanks; may be ""
+  /// The words that follow it, separated by single blanks; may be "". A last word that ends in
+  /// "..." may be repeated, a single one in brackets be left out.
+  const char* words;
   const char* defaultWords;  ///< what holds when it is not given, or nullptr where nothing does
   const char* help;          ///< see helpOf
   /// Enters the argument in `draft`; throws UsageError where its words are wrong. Called with as
-  /// many words as `words` names, or more where it ends in "...".
+  /// many words as `words` allows.
   void (*apply)(const ArgumentWords& words, Draft& draft);
   /// What kind of run it belongs to.
   enum class Mode { rendering, comparing, merging, any };
@@ -49,11 +52,9 @@ const ArgumentRow* findArgument(const std::string& name);
 /// one line.
 std::string helpOf(const ArgumentRow& row);
 
-/// How many words follow the argument, at least where more may (see takesMore).
-int countWords(const ArgumentRow& row);
-
-/// True where any number of words may follow: "...".
-bool takesMore(const ArgumentRow& row);
+/// How many words must follow the argument, and how many may.
+int leastWords(const ArgumentRow& row);
+std::size_t mostWords(const ArgumentRow& row);
 
 /// The words that follow an argument. Each reader reads word number `index`, from 0, and throws
 /// UsageError, naming the argument, what was expected and what was found, where it is wrong.
@@ -86,6 +87,8 @@ class ArgumentWords {
   const std::string& plainFile(std::size_t index) const;
 
   [[noreturn]] void fail(std::size_t index, const std::string& expected) const;
+  /// The word is none of `choices`; the nearest of them is proposed.
+  [[noreturn]] void failChoice(std::size_t index, WordList choices) const;
 
  private:
   std::string nameOfWord(std::size_t index) const;
@@ -94,8 +97,10 @@ class ArgumentWords {
   const std::vector<std::string>& words_;
 };
 
-/// The list of all arguments, at most 80 columns wide, as `-help` prints it and README.txt shows.
+/// The list of all arguments, at most 80 columns wide, as `-help` prints it.
 std::string optionList();
+/// The list of all topics of help, as `-help` prints it and README.txt shows.
+std::string topicList();
 
 /// What `raytracer` alone prints, and what `-help` prints.
 std::string shortHelp();

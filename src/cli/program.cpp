@@ -28,12 +28,12 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-int printText(ProgramText text) {
-  switch (text) {
+int printText(const Request& request) {
+  switch (request.text) {
     case ProgramText::shortHelp:
       return print(shortHelp());
     case ProgramText::help:
-      return print(fullHelp());
+      return print(request.topic ? request.topic->text : fullHelp());
     case ProgramText::version:
       return print(versionText() + "\n");
     case ProgramText::man:
@@ -44,7 +44,7 @@ int printText(ProgramText text) {
 }
 
 int answer(const Request& request) {
-  if (request.text != ProgramText::none) return printText(request.text);
+  if (request.text != ProgramText::none) return printText(request);
   if (request.check) return checkScene(request.render.picture.scene, request.run.quiet);
   if (request.compare.isWanted()) return runComparison(request.compare, request.run);
   if (!request.merge.isWanted()) return renderScene(request.render, request.run);

@@ -39,7 +39,7 @@ std::string nameOf(const std::string& word) {
 std::vector<std::string> followingWords(const std::vector<std::string>& words, std::size_t at,
                                         const ArgumentRow& row) {
   std::vector<std::string> found;
-  for (int i = 1; i <= countWords(row); ++i) {
+  for (int i = 1; i <= leastWords(row); ++i) {
     const std::size_t next = at + std::size_t(i);
     const bool ended = next >= words.size();
     if (ended || findArgument(nameOf(words[next])))
@@ -47,9 +47,9 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
                        (ended ? "the end of the command" : ::quoted(words[next])));
     found.push_back(words[next]);
   }
-  if (!takesMore(row)) return found;
-  for (std::size_t next = at + 1 + found.size(); next < words.size(); ++next) {
-    if (!nameOf(words[next]).empty()) break;
+  while (found.size() < mostWords(row)) {
+    const std::size_t next = at + 1 + found.size();
+    if (next >= words.size() || !nameOf(words[next]).empty()) break;
     found.push_back(words[next]);
   }
   return found;

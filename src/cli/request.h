@@ -12,6 +12,7 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid/grid_frame.h"
+#include "cli/help_topics.h"
 #include "cli/program.h"
 #include "render/image_plane.h"
 #include "render/render_options.h"
@@ -137,6 +138,7 @@ enum class ProgramText { shortHelp, help, version, man, completion, none };
 /// One run of the program: what of the following is wanted first decides which.
 struct Request {
   ProgramText text = ProgramText::none;
+  const HelpTopic* topic = nullptr;  ///< of ProgramText::help; null: the list of all arguments
   bool check = false;      ///< read render.picture.scene, report every mistake, render nothing
   CompareRequest compare;  ///< a mode of its own: there is then no scene
   MergeRequest merge;      ///< likewise

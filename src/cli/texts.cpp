@@ -1,10 +1,12 @@
 // The texts that are made from the table of arguments: the lists of the help, the manual page in
 // the macros of man(7), and the script with which bash completes a command line.
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/help_topics.h"
 
 namespace {
 
@@ -24,6 +26,8 @@ constexpr const char* kHelpEnd = R"(
 Exit status: 0 done, 1 an output failed, 2 wrong usage, 3 the scene or a mesh
 is at fault. Of -compare: 0 the same, 1 different, 2 wrong usage, 3 unreadable.
 Of -merge: 3 a part is at fault or missing.
+
+'raytracer -help TOPIC' tells more; the topics are
 )";
 constexpr const char* kSynopsis = R"(.SH NAME
 raytracer \- render a scene file to an image
@@ -37,7 +41,7 @@ raytracer \- render a scene file to an image
 Reads a scene (a camera, lights, materials, spheres, planes, triangles, meshes and
 transformations) and renders it with shadows, mirrors and refraction. The image
 depends on the scene and the options alone, not on the machine or the number of
-threads. The README that comes with the program describes scene files.
+threads. The sections SCENE to LIMITS are the topics of \(aqraytracer \-help TOPIC\(aq.
 .SH OPTIONS
 Options come in any order, with one dash or two; the last of two equal ones
 wins.
@@ -61,7 +65,8 @@ raytracer \-input scene.txt \-output out.tga \-bounces 5 \-weight 0.01
 raytracer \-input scene.txt \-check
 .EE
 )";
-constexpr std::size_t kTextColumn = 25;  // where the text about an argument begins
+constexpr std::size_t kTextColumn = 25;   // where the text about an argument begins
+constexpr std::size_t kTopicColumn = 14;  // likewise about a topic
 constexpr std::size_t kWidth = 80;
 
 /// Appends `text` to `list`, whose last line has `column` columns, broken at blanks so that every
@@ -99,6 +104,10 @@ std::string forTroff(const std::string& text) {
       result += "\\e";
     } else if (c == '\'') {
       result += "\\(aq";
+    } else if (c == '^') {
+      result += "\\(ha";
+    } else if (c == '~') {
+      result += "\\(ti";
     } else {
       result += c;
     }
@@ -129,6 +138,42 @@ std::string entries() {
   return text;
 }
 
+bool isHeading(const std::string& line) {
+  return std::none_of(line.begin(), line.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// A topic as a section: headings become subsections, other lines at the left paragraphs, and
+/// indented lines stay as they are.
+std::string topicSection(const HelpTopic& topic) {
+  std::string text = ".SH ";
+  for (const char* c = topic.name; *c; ++c) {
+    text += char(std::toupper(static_cast<unsigned char>(*c)));
+  }
+  text += '\n';
+  std::istringstream lines(topic.text);
+  bool isExample = false, isNewParagraph = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool isIndented = line.compare(0, 2, "  ") == 0;
+    if (isExample && !isIndented) {
+      text += ".EE\n";
+      isNewParagraph = true;
+    }
+    if (line.empty()) {
+      isNewParagraph = true;
+    } else if (!isIndented && isHeading(line)) {
+      text += ".SS " + forTroff(line) + "\n";
+      isNewParagraph = false;
+    } else {
+      if (isNewParagraph) text += ".PP\n";
+      if (isIndented && !isExample) text += ".EX\n";
+      text += forTroff(line) + "\n";
+      isNewParagraph = false;
+    }
+    isExample = isIndented;
+  }
+  return text + (isExample ? ".EE\n" : "");
+}
+
 /// Names that the table gives to words which are files or folders.
 bool isFile(const std::string& word) {
   for (const char* part : {"FILE", "OUT", "PART", "EXPECTED", "ACTUAL", "FOLDER"}) {
@@ -138,7 +183,8 @@ bool isFile(const std::string& word) {
 }
 
 /// What may follow the argument, word by word: "file", choices joined by strokes, or "-" where
-/// nothing can be offered. Three dots behind a word say that it may come again.
+/// nothing can be offered. Three dots behind a word say that it may come again, a question mark
+/// that it may be left out.
 std::string offers(const ArgumentRow& row) {
   std::string text, choices = row.choices;
   std::replace(choices.begin(), choices.end(), ' ', '/');
@@ -146,7 +192,8 @@ std::string offers(const ArgumentRow& row) {
   for (std::string word; words >> word; choices.clear()) {
     const bool mayRepeat = word.size() > 3 && word.compare(word.size() - 3, 3, "...") == 0;
     const std::string offer = !choices.empty() ? choices : isFile(word) ? "file" : "-";
-    text += (text.empty() ? "" : " ") + offer + (mayRepeat ? "..." : "");
+    const char* const mark = mayRepeat ? "..." : word[0] == '[' ? "?" : "";
+    text += (text.empty() ? "" : " ") + offer + mark;
   }
   return text;
 }
@@ -158,21 +205,23 @@ _raytracer() {
   local -a offers=()
   for ((i = 1; i < COMP_CWORD; ++i)); do
     word=${COMP_WORDS[i]}
-    if [[ ${#offers[@]} -gt 0 && ! (${offers[0]} == *... && $word == -*) ]]; then
+    if [[ ${#offers[@]} -gt 0 && ! (${offers[0]} == *[.?] && $word == -*) ]]; then
       [[ ${offers[0]} == *... ]] || offers=("${offers[@]:1}")
     else
       word=${word#-}
       _raytracer_offers "${word#-}"
     fi
   done
-  [[ ${offers[0]-} == *... && $current == -* ]] && offers=()
+  [[ ${offers[0]-} == *[.?] && $current == -* ]] && offers=()
   COMPREPLY=()
   case ${offers[0]-} in
     file*)
       compopt -o filenames 2>/dev/null
       mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
     -*) ;;
-    ?*) mapfile -t COMPREPLY < <(compgen -W "${offers[0]//\// }" -- "$current") ;;
+    ?*)
+      offers[0]=${offers[0]%\?}
+      mapfile -t COMPREPLY < <(compgen -W "${offers[0]//\// }" -- "$current") ;;
     *)
       [[ $current == --* ]] && dash=--
       mapfile -t COMPREPLY < <(compgen -P "$dash" -W "$_raytracer_names" -- "${current#"$dash"}") ;;
@@ -183,6 +232,7 @@ complete -F _raytracer raytracer
 )";
 
 }  // namespace
+
 std::string optionList() {
   std::string list, group;
   for (const ArgumentRow& row : argumentTable()) {
@@ -191,6 +241,16 @@ std::string optionList() {
     const std::string left = heading(row);
     list += left;
     appendWrapped(list, left.size(), helpOf(row));
+  }
+  return list;
+}
+
+std::string topicList() {
+  std::string list;
+  for (const HelpTopic& topic : helpTopics()) {
+    std::string line = std::string("  ") + topic.name;
+    line.resize(kTopicColumn, ' ');
+    list += line + topic.summary + "\n";
   }
   return list;
 }
@@ -208,17 +268,22 @@ std::string shortHelp() {
     appendWrapped(text, group.size() + 2, names);
     text.pop_back();
   }
-  return text + "\n\n'raytracer -help' explains them all.\n";
+  return text +
+         "\n\n'raytracer -help' explains them all, 'raytracer -help scene' the scene files.\n";
 }
 
-std::string fullHelp() { return std::string(kStart) + kHelpBegin + optionList() + kHelpEnd; }
+std::string fullHelp() {
+  return std::string(kStart) + kHelpBegin + optionList() + kHelpEnd + topicList();
+}
 
 std::string versionText() { return std::string("raytracer ") + kVersion; }
 
 std::string manPage() {
+  std::string topics;
+  for (const HelpTopic& topic : helpTopics()) topics += topicSection(topic);
   return ".\\\" Made from the table of arguments by 'raytracer -man'.\n.TH RAYTRACER 1 " +
          std::string(kManualDate) + " \"" + versionText() + "\" \"User Commands\"\n" + kSynopsis +
-         entries() + kManualEnd;
+         entries() + kManualEnd + topics;
 }
 
 std::string completionScript() {

@@ -93,6 +93,18 @@ TEST("bash completes files wherever the table of arguments speaks of them") {
   CHECK_EQUAL(offersFor("-merge a b -quie"), "-quiet");
 }
 
+TEST("bash completes topics of help, one at most") {
+  CHECK_EQUAL(offersFor("-help s"), "samples|scene");
+  CHECK_EQUAL(offersFor("-h lim"), "limits");
+  CHECK_EQUAL(offersFor("-help -weig"), "-weight");
+  CHECK_EQUAL(offersFor("-help scene -weig"), "-weight");
+  CHECK_EQUAL(offersFor("-help scene sce"), "");
+  std::string all;
+  for (const HelpTopic& topic : helpTopics())
+    all += (all.empty() ? "" : " ") + std::string(topic.name);
+  CHECK_EQUAL(findArgument("help")->choices, all);
+}
+
 TEST("a checker of shell scripts finds no fault in bash's completion") {
   if (!isInstalled("shellcheck")) SKIP("no shellcheck");
   const Desk desk;
@@ -117,6 +129,11 @@ TEST("bash's completion knows every choice that the parser takes") {
 
 TEST("the manual page has every argument under its group, and troff finds no fault in it") {
   const std::string page = manPage();
+  for (const HelpTopic& topic : helpTopics()) {
+    std::string title = topic.name;
+    for (char& c : title) c = char(std::toupper(static_cast<unsigned char>(c)));
+    CHECK_EQUAL(countOf(page, "\n.SH " + title + "\n"), std::size_t(1));
+  }
   for (const ArgumentRow& row : argumentTable()) {
     const std::string group = std::string(row.group).substr(0, std::string(row.group).find('('));
     CHECK_EQUAL(countOf(page, std::string(".TP\n\\fB\\-") + row.name + "\\fR"), std::size_t(1));
@@ -128,7 +145,12 @@ TEST("the manual page has every argument under its group, and troff finds no fau
   if (isInstalled("mandoc")) CHECK_EQUAL(outputOf(desk, "mandoc -Tlint -W warning " + file), "");
   if (isInstalled("man")) {
     CHECK_EQUAL(outputOf(desk, "man --warnings -l " + file + " 2>&1 >/dev/null"), "");
-    CHECK(contains(outputOf(desk, "MANWIDTH=80 man -P cat -l " + file), "-bounces N"));
+    const std::string shown = outputOf(desk, "MANWIDTH=80 man -P cat -l " + file + " | col -bx");
+    CHECK(contains(shown, "-bounces N"));
+    // Examples as they stand, to be copied.
+    CHECK(
+        contains(shown, "         Transform { Translate 0 0.5 -3   YRotate 20   Scale 2 1.5 0.1"));
+    CHECK(contains(shown, "Matrix { F ^ 16 }"));
   }
 }
 
