@@ -9,7 +9,7 @@
 #include "cli/arguments.h"
 #include "cli/desk.h"
 #include "scene/scene_parser.h"
-#include "scene/scene_words.h"
+#include "scene/scene_grammar.h"
 
 using check::contains, check::contentOf, check::Desk;
 
