@@ -25,12 +25,12 @@ struct RayBegin {
 
 /// What came of one light at one hit.
 struct LightVerdict {
-  int light;                ///< its number in the scene
-  bool isInFront;           ///< false where the surface is turned away: nothing more was asked
-  bool castShadowRay;       ///< whether anything in the way was looked for
-  Vec3f visible;            ///< the part of its colour that arrives; black where it is blocked
-  Vec3d direction;          ///< unit, to the light
-  double distance;          ///< to the light, perhaps infinite
+  int light;                 ///< its number in the scene
+  bool isInFront;            ///< false where the surface is turned away: nothing more was asked
+  bool castShadowRay;        ///< whether anything in the way was looked for
+  Vec3f visible;             ///< the part of its colour that arrives; black where it is blocked
+  Vec3d direction;           ///< unit, to the light
+  double distance;           ///< to the light, perhaps infinite
   const ShadowQuery* query;  ///< the shadow ray; null where none was cast
 };
 

@@ -24,9 +24,9 @@ struct Draft : Request {
 class ArgumentWords;
 
 struct ArgumentRow {
-  const char* group;         ///< heading under which it is listed
-  const char* name;          ///< without dashes
-  const char* otherName;     ///< a second spelling, or nullptr
+  const char* group;      ///< heading under which it is listed
+  const char* name;       ///< without dashes
+  const char* otherName;  ///< a second spelling, or nullptr
   /// The words that follow it, separated by single blanks; may be "". A last word that ends in
   /// "..." may be repeated, a single one in brackets be left out.
   const char* words;

@@ -18,10 +18,12 @@
 
 namespace {
 
+using Kind = OutputRequest::Kind;
+
 constexpr std::size_t kPiece = std::size_t(1) << 20;
 constexpr std::size_t kStack = 1 << 18;
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+[[noreturn]] void failFile(const std::string& path, const std::string& reason) {
   throw std::runtime_error(path + ": cannot be read for the fingerprint: " + reason);
 }
 
@@ -30,8 +32,8 @@ Digest pieceDigest(const OpenFile& file, const std::string& path, std::size_t of
                    std::size_t size) {
   std::vector<char> bytes(size);
   const ssize_t count = file.readAt(off_t(offset), bytes.data(), size);
-  if (count < 0) fail(path, std::strerror(errno));
-  if (std::size_t(count) < size) fail(path, "it has become shorter");
+  if (count < 0) failFile(path, std::strerror(errno));
+  if (std::size_t(count) < size) failFile(path, "it has become shorter");
   return sha256(bytes.data(), size);
 }
 
@@ -50,7 +52,6 @@ void addReal(double number, Sha256& hash) {
 
 /// What of the arguments that name files changes pixels.
 void addPictures(const ResultRequest& results, Sha256& hash) {
-  using Kind = OutputRequest::Kind;
   const OutputRequest* const depth = results.find(Kind::depth);
   const OutputRequest* const samples = results.find(Kind::samples);
   hash.addNumber(results.find(Kind::color) != nullptr);
@@ -89,9 +90,9 @@ bool changesPicture(const std::string& name) {
 /// No more than one piece a thread is in memory.
 Digest fileDigest(const std::string& path, int threads) {
   const OpenFile file(path);
-  if (!file.isOpen()) fail(path, std::strerror(errno));
+  if (!file.isOpen()) failFile(path, std::strerror(errno));
   const off_t length = file.regularSize();  // asked for once: it may change
-  if (length < 0) fail(path, "expected a plain file, which can be read twice");
+  if (length < 0) failFile(path, "expected a plain file, which can be read twice");
   const auto size = std::size_t(length);
   const std::size_t count = (size + kPiece - 1) / kPiece;
   std::vector<Digest> pieces(count);

@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr const char* kTitle = "raytracer part 1";
+constexpr const char* kPartTitle = "raytracer part 1";
 constexpr std::size_t kHeader = 18, kMostId = 255;
 
 const char* nameOf(OutputRequest::Kind kind) {
@@ -48,16 +48,16 @@ bool readId(const std::string& text, PartId& id) {
   return !words.fail() && textOf(id) == text && isSide(id.width) && isSide(id.height);
 }
 
-[[noreturn]] void fail(const std::string& path, const std::string& message) {
+[[noreturn]] void failPart(const std::string& path, const std::string& message) {
   throw InputError(path, 0, message);
 }
 
 [[noreturn]] void failReading(const std::string& path) {
-  fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  failPart(path, std::string("cannot be read: ") + std::strerror(errno));
 }
 
 [[noreturn]] void failNoPart(const std::string& path, const std::string& found) {
-  fail(path, "expected a TGA that -region or -tile has written, found " + found);
+  failPart(path, "expected a TGA that -region or -tile has written, found " + found);
 }
 
 /// Fewer bytes than `size` only at the end of the file. Throws InputError.
@@ -89,17 +89,17 @@ std::int64_t pixelsStart(const PartFile& part) {
 void checkPlaceAndSize(const PartFile& part, std::int64_t found) {
   const bool fits = part.width > 0 && part.height > 0 && part.right() <= part.id.width &&
                     part.bottom() <= part.id.height;
-  if (!fits) fail(part.path, "damaged: its place is not in the picture that it is a part of");
+  if (!fits) failPart(part.path, "damaged: its place is not in the picture that it is a part of");
   const std::int64_t expected = pixelsStart(part) + 3 * std::int64_t(part.width) * part.height;
   if (found == expected) return;
-  fail(part.path, (found < expected ? "cut off: expected " : "expected ") + bytesText(expected) +
-                      ", found " + bytesText(found));
+  failPart(part.path, (found < expected ? "cut off: expected " : "expected ") +
+                          bytesText(expected) + ", found " + bytesText(found));
 }
 
 }  // namespace
 
 std::string textOf(const PartId& id) {
-  return std::string(kTitle) + " " + id.kind + " " + std::to_string(id.width) + " " +
+  return std::string(kPartTitle) + " " + id.kind + " " + std::to_string(id.width) + " " +
          std::to_string(id.height) + " " + id.fingerprint;
 }
 
@@ -150,5 +150,5 @@ PartFile PartFile::read(const std::string& path) {
 void PartFile::readRow(const OpenFile& file, int row, std::uint8_t* target) const {
   const std::size_t size = 3 * std::size_t(width);
   const std::int64_t offset = pixelsStart(*this) + std::int64_t(size) * row;
-  if (readAt(path, file, offset, target, size) < size) fail(path, "has become shorter");
+  if (readAt(path, file, offset, target, size) < size) failPart(path, "has become shorter");
 }

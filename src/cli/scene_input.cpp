@@ -9,6 +9,8 @@
 
 namespace {
 
+using Pattern = SamplingOptions::Pattern;
+
 std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
@@ -26,7 +28,6 @@ void warnOfSimd(SimdLevel wanted) {
 
 /// Which numbers of samples are rounded up, and to what; "" where none is.
 std::string roundingWarning(const SamplingOptions& wanted) {
-  using Pattern = SamplingOptions::Pattern;
   const auto sampler = makeSampler(wanted);
   const int first = sampler->getNumFirst(), most = sampler->getNumSamples();
   const std::string samples = std::to_string(wanted.samples);

@@ -1,11 +1,11 @@
-// TGA: 18 bytes of header, an ID, a colour map, then the pixels, plain or in packets that repeat one
-// pixel or list several. Numbers have the low byte first, colours blue.
-// The header, by byte: 0 length of the ID; 1 whether there is a colour map; 2 image type; 3 to 7
-// the map: first index, length, bits of an entry; 8 to 11 origin; 12 to 15 width and height; 16 bits
-// of a pixel; 17 descriptor: 4 bits of alpha, then whether the first pixel is on the right (0x10)
-// and at the top (0x20), then interleaving, which nobody uses.
-// A packet's first byte says how many pixels less one (the lower 7 bits), and whether one pixel
-// follows for all of them (the highest bit) or each of them.
+// TGA: 18 bytes of header, an ID, a colour map, then the pixels, plain or in packets that repeat
+// one pixel or list several. Numbers have the low byte first, colours blue. The header, by byte: 0
+// length of the ID; 1 whether there is a colour map; 2 image type; 3 to 7 the map: first index,
+// length, bits of an entry; 8 to 11 origin; 12 to 15 width and height; 16 bits of a pixel; 17
+// descriptor: 4 bits of alpha, then whether the first pixel is on the right (0x10) and at the top
+// (0x20), then interleaving, which nobody uses. A packet's first byte says how many pixels less one
+// (the lower 7 bits), and whether one pixel follows for all of them (the highest bit) or each of
+// them.
 #include <algorithm>
 #include <cassert>
 

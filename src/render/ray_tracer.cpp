@@ -97,7 +97,7 @@ Vec3d RayTracer::transmitted(const Surface& s) const {
 
 Vec3d RayTracer::follow(const Surface& s, TracedRay& next) const {
   Hit hit;
-  const Vec3f color = traceRay(next.ray, float(next.tmin), s.bounces + 1, next.weight,
-                               next.indexOfRefraction, hit);
+  const Vec3f color =
+      traceRay(next.ray, float(next.tmin), s.bounces + 1, next.weight, next.indexOfRefraction, hit);
   return Vec3d(next.factor) * Vec3d(color);
 }

@@ -49,8 +49,8 @@ Vec3d WatchedTracer::light(int index, const Surface& s) const {
   const Vec3f visible = light.isInFront ? visibility(s, light) : Vec3f();
   ShadowQuery query;
   if (isAsked) shader().setShadowQuery(s, light, query);
-  observer_.lightAnswers({index, light.isInFront, isAsked, visible, light.direction,
-                          light.distance, isAsked ? &query : nullptr});
+  observer_.lightAnswers({index, light.isInFront, isAsked, visible, light.direction, light.distance,
+                          isAsked ? &query : nullptr});
   if (visible == Vec3f()) return Vec3d();
   const Vec3d added = shader().reflected(s, light, visible);
   observer_.lightAdds(added);
@@ -77,7 +77,7 @@ Vec3d WatchedTracer::branch(RayKind kind, const Surface& s, Outcome outcome,
     observer_.branchEnds(kind, outcome, next.weight);
     return Vec3d();
   }
-  observer_.rayBegins({kind, next.ray, s.bounces + 1, next.weight, next.indexOfRefraction,
-                       next.tmin, next.factor});
+  observer_.rayBegins(
+      {kind, next.ray, s.bounces + 1, next.weight, next.indexOfRefraction, next.tmin, next.factor});
   return follow(s, next);
 }

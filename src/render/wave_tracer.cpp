@@ -26,7 +26,8 @@ constexpr int kMostGenerations = 64;
 bool isFound(const Hit& hit) { return hit.getT() < Hit().getT(); }
 
 std::size_t missesAmong(const Hit* hits, std::size_t count) {
-  return std::size_t(std::count_if(hits, hits + count, [](const Hit& hit) { return !isFound(hit); }));
+  return std::size_t(
+      std::count_if(hits, hits + count, [](const Hit& hit) { return !isFound(hit); }));
 }
 
 }  // namespace
@@ -98,8 +99,8 @@ class WaveTracer::SurfaceBatch {
       if (isFull()) flush();
       componentHits_.push_back(s.hit.withMaterial(part.material));
       const float weight = s.weight * float(part.weight);
-      surfaces_.push_back({s.ray, componentHits_.back(), s.interface, s.bounces, weight,
-                           s.indexOfRefraction});
+      surfaces_.push_back(
+          {s.ray, componentHits_.back(), s.interface, s.bounces, weight, s.indexOfRefraction});
       origins_.push_back({ray, part.weight, true});
     }
   }
@@ -148,8 +149,7 @@ void WaveTracer::trace(const RayBatch& batch, int bounces, Hit* hits, Vec3f* col
   surfaces.flush();
 }
 
-void WaveTracer::traceOneByOne(const RayBatch& batch, int bounces, Hit* hits,
-                               Vec3f* colors) const {
+void WaveTracer::traceOneByOne(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     Ray ray = batch[i].ray;
     colors[i] = tracer_.traceRay(ray, float(batch[i].tmin), bounces, batch[i].weight,

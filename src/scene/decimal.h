@@ -11,6 +11,8 @@
 
 namespace decimal {
 
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// How many bytes must be there where scan() begins: a sign, seven digits, the point, twice eight
 /// bytes, and the byte behind.
 inline constexpr int kBytes = 26;

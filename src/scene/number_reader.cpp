@@ -38,7 +38,6 @@ struct Number {
   const char* end = nullptr;  // null where this is no number
 };
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isSign(char c) { return c == '-' || c == '+'; }
 bool beginsExponent(char c) { return c == 'e' || c == 'E'; }
 const char* endOf(std::string_view word) { return word.data() + word.size(); }
@@ -46,7 +45,7 @@ const char* endOf(std::string_view word) { return word.data() + word.size(); }
 /// Appends the digits from `p` on to the mantissa, modulo 2^64, and returns where they end.
 const char* appendDigits(const char* p, const char* end, Number& number) {
   const char* const start = p;
-  for (; p != end && isDigit(*p); ++p) {
+  for (; p != end && decimal::isDigit(*p); ++p) {
     number.mantissa = number.mantissa * 10 + std::uint64_t(*p - '0');
   }
   number.digitCount += p - start;
@@ -58,10 +57,10 @@ const char* appendDigits(const char* p, const char* end, Number& number) {
 const char* readExponent(const char* p, const char* end, std::int64_t& exponent) {
   const bool isNegative = p != end && *p == '-';
   if (p != end && isSign(*p)) ++p;
-  if (p == end || !isDigit(*p)) return nullptr;
+  if (p == end || !decimal::isDigit(*p)) return nullptr;
   constexpr std::int64_t kEnough = 1'000'000'000'000'000;
   std::int64_t value = 0;
-  for (; p != end && isDigit(*p); ++p) {
+  for (; p != end && decimal::isDigit(*p); ++p) {
     if (value < kEnough) value = value * 10 + (*p - '0');
   }
   exponent += isNegative ? -value : value;

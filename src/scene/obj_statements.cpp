@@ -28,7 +28,6 @@ constexpr Corner kRelative = Corner(1) << 32;
 /// a number or a corner (24 digits, two slashes), and the line's end.
 constexpr int kPlainBytes = 1 + 3 * (1 + std::max(decimal::kBytes, 26)) + 2;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 
 /// Goes behind a line's end that stands here and is not continued; null where none does.
@@ -270,7 +269,7 @@ const char* ChunkReader::readCorner(const char* start, Corner& corner) {
   constexpr std::uint64_t kBeyondAll = std::uint64_t(1) << 40;
   std::uint64_t number = 0;
   const char* stop = digits;
-  for (; stop != words_.end() && isDigit(*stop); ++stop) {
+  for (; stop != words_.end() && decimal::isDigit(*stop); ++stop) {
     if (number < kBeyondAll) number = number * 10 + std::uint64_t(*stop - '0');
   }
   const bool hasDigits = stop != digits;
@@ -300,7 +299,7 @@ const char* ChunkReader::skipReferences(const char* p) const {
   int slashes = 0;
   for (; !words_.isWordEnd(p); ++p) {
     slashes += *p == '/';
-    const bool isAllowed = *p == '/' || *p == '-' || *p == '+' || isDigit(*p);
+    const bool isAllowed = *p == '/' || *p == '-' || *p == '+' || decimal::isDigit(*p);
     if (!isAllowed || slashes > 2) return nullptr;
   }
   return p;

@@ -14,8 +14,8 @@
 #include <stdexcept>
 
 #include "scene/input_error.h"
-#include "system/memory.h"
 #include "system/files.h"
+#include "system/memory.h"
 
 namespace {
 

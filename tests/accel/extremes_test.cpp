@@ -35,8 +35,7 @@ class Block : public Object3D {
     Vec3d normal;
     normal[enterAxis] = ray.getDirection()[enterAxis] > 0 ? -1 : 1;
     const Vec3d point = ray.pointAtParameter(enter);
-    hit.record(enter, material_, normal, point,
-               {this, 7, magnitudeOf(enter, point, ray, half_)});
+    hit.record(enter, material_, normal, point, {this, 7, magnitudeOf(enter, point, ray, half_)});
     return true;
   }
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override {

@@ -1,8 +1,8 @@
 // Transforms inside Transforms, seen from so far away that rounding decides what is hit: the trees
 // find the same all the same.
 #include "accel/comparison.h"
-#include "accel/transform_range.h"
 #include "accel/random_scene.h"
+#include "accel/transform_range.h"
 #include "random.h"
 
 namespace {

@@ -3,8 +3,8 @@
 
 #include <unistd.h>
 
-#include "cli/program.h"
 #include "check.h"
+#include "cli/program.h"
 #include "image/output_file.h"
 #include "random.h"
 #include "render/image_plane.h"

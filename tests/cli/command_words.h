@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/desk.h"
 #include "cli/arguments.h"
+#include "cli/desk.h"
 
 namespace check {
 

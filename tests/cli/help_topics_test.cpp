@@ -8,8 +8,8 @@
 #include "check.h"
 #include "cli/arguments.h"
 #include "cli/desk.h"
-#include "scene/scene_parser.h"
 #include "scene/scene_grammar.h"
+#include "scene/scene_parser.h"
 
 using check::contains, check::contentOf, check::Desk;
 

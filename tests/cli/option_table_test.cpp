@@ -123,7 +123,9 @@ TEST("the short help has lines of at most 80 columns and names every argument an
   std::istringstream lines(shortHelp());
   std::string line;
   while (std::getline(lines, line)) CHECK(line.size() <= 80);
-  const Words words = split(shortHelp().substr(shortHelp().find("\n\n")));
+  // Between the first paragraph, an example, and the last, which names more help.
+  const std::size_t start = shortHelp().find("\n\n");
+  const Words words = split(shortHelp().substr(start, shortHelp().rfind("\n\n") - start));
   for (const ArgumentRow& row : argumentTable()) {
     CHECK_EQUAL(std::count(words.begin(), words.end(), std::string("-") + row.name), 1);
     CHECK(contains(shortHelp(), std::string("\n  ") + row.group));

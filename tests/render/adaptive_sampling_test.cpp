@@ -1,7 +1,7 @@
 // More samples where colours differ.
-#include "render/sampling.h"
-
 #include <cstdlib>
+
+#include "render/sampling.h"
 
 using sampling::adaptive;
 using sampling::grey;

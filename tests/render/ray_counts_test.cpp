@@ -91,8 +91,7 @@ void checkSame(const RayCounts& a, const RayCounts& b) {
   for (const RayKind kind : {RayKind::eye, RayKind::mirror, RayKind::refracted}) {
     CHECK_EQUAL(a.rays(kind), b.rays(kind));
   }
-  for (const Outcome why :
-       {Outcome::tooManyBounces, Outcome::tooFaint, Outcome::totalReflection}) {
+  for (const Outcome why : {Outcome::tooManyBounces, Outcome::tooFaint, Outcome::totalReflection}) {
     CHECK_EQUAL(a.ends(why), b.ends(why));
   }
   CHECK_EQUAL(a.shadowRays(), b.shadowRays());

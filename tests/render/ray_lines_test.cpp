@@ -1,7 +1,6 @@
 // Rays as lines of an OBJ file.
-#include "render/pixel_trace.h"
-
 #include "check.h"
+#include "render/pixel_trace.h"
 #include "render/watched_tracer.h"
 #include "scene_text.h"
 
@@ -13,8 +12,7 @@ std::string objOf(const std::string& sceneText, const Ray& eyeRay, double tmin,
   RayLines lines(*scene.getGroup(), options, 20);
   Ray ray = eyeRay;
   Hit hit;
-  WatchedTracer(scene, *scene.getGroup(), options, lines)
-      .traceRay(ray, float(tmin), 0, 1, 1, hit);
+  WatchedTracer(scene, *scene.getGroup(), options, lines).traceRay(ray, float(tmin), 0, 1, 1, hit);
   return lines.obj();
 }
 

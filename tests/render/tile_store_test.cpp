@@ -1,10 +1,9 @@
 // TileStore: the renderer asks before each tile and tells after it.
-#include "render/tile_hooks.h"
-
 #include <mutex>
 
 #include "check.h"
 #include "render/image_plane.h"
+#include "render/tile_hooks.h"
 #include "sampling.h"
 
 namespace {

@@ -1,7 +1,8 @@
 // WaveTracer against RayTracer, ray by ray.
+#include "render/wave_tracer.h"
+
 #include "accel/compiled_scene.h"
 #include "check.h"
-#include "render/wave_tracer.h"
 #include "scene_text.h"
 
 namespace {

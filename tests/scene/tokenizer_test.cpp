@@ -1,10 +1,9 @@
 // Words of a scene file.
-#include "scene/source_text.h"
-
 #include <string>
 
 #include "check.h"
 #include "random.h"
+#include "scene/source_text.h"
 #include "scene/wording.h"
 
 namespace {
