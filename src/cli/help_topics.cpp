@@ -295,7 +295,8 @@ run straight. An opaque object still blocks. Entering and leaving is counted for
 each closed object on its own (spheres, and meshes in which, after merging equal
 positions, every edge belongs to exactly two faces in opposite directions); any
 other transparent surface multiplies once by its colour where it is crossed.
-Without the option glass casts a black shadow.
+Without the option glass casts a black shadow. -shadows and -no_shadows undo
+each other: the last one counts.
 
 NESTED DIELECTRICS
   raytracer -input scenes/26_bubbles.txt -output out.tga -size 400 400 \
@@ -430,7 +431,7 @@ point lights inside opaque closed objects (unless the camera is in there too),
 an exponent below 1 with a specularColor, colours of materials and Background
 above 1, and materials that no object has. Of each kind five are named, with
 file and line, and the rest counted. They change nothing; -quiet silences them,
-and -check prints them too. To see some:
+and -check prints them too. None of the scenes in scenes/ has any. To see some:
   printf '%s' 'PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0
     angle 30 } Materials { numMaterials 2
     PhongMaterial { diffuseColor 1 2 1 } PhongMaterial { } }
