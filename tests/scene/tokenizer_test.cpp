@@ -61,9 +61,9 @@ TEST("lines are counted by their newlines") {
 }
 
 TEST("words are quoted short and printable") {
-  CHECK_EQUAL(quoted("foo"), "'foo'");
-  CHECK_EQUAL(quoted(std::string_view("a\0\n\xff", 4)), "'a\\x00\\x0a\\xff'");
-  CHECK_EQUAL(quoted(std::string(1'000'000, 'x')), "'" + std::string(40, 'x') + "...'");
+  CHECK_EQUAL(::quoted("foo"), "'foo'");
+  CHECK_EQUAL(::quoted(std::string_view("a\0\n\xff", 4)), "'a\\x00\\x0a\\xff'");
+  CHECK_EQUAL(::quoted(std::string(1'000'000, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
 TEST("the nearest word is found for a slip and none for another word") {
