@@ -165,13 +165,16 @@ void WaveTracer::intersect(const RayBatch& eyeRays, Hit* hits) const {
 /// Finds what the rays meet, and what lies on both sides of it; none where all of that is plain.
 std::vector<Interface> WaveTracer::meet(const RayBatch& batch, Hit* hits) const {
   if (batches_) {
-    Ray rays[kBatchSize];
-    double tmins[kBatchSize];
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      rays[i] = batch[i].ray;
-      tmins[i] = batch[i].tmin;
+    // No more than there are: most batches are small, and an array would be cleared first.
+    std::vector<Ray> rays;
+    std::vector<double> tmins;
+    rays.reserve(batch.size());
+    tmins.reserve(batch.size());
+    for (const TracedRay& traced : batch) {
+      rays.push_back(traced.ray);
+      tmins.push_back(traced.tmin);
     }
-    batches_->intersectBatch(rays, tmins, int(batch.size()), hits);
+    batches_->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits);
   } else {
     for (std::size_t i = 0; i < batch.size(); ++i) {
       tracer_.geometry().intersect(batch[i].ray, hits[i], batch[i].tmin);
@@ -224,8 +227,8 @@ void WaveTracer::addLight(int index, const std::vector<Surface>& surfaces,
     shader.sampleLight(index, surfaces[i], light);
     light.isInFront ? places.push_back(i) : samples.pop_back();
   }
-  Vec3f visible[kBatchSize];
-  findVisible(surfaces, places, samples, visible);
+  std::vector<Vec3f> visible(places.size());
+  findVisible(surfaces, places, samples, visible.data());
   for (std::size_t k = 0; k < places.size(); ++k) {
     sums[places[k]] += shader.reflected(surfaces[places[k]], samples[k], visible[k]);
   }
