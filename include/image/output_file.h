@@ -40,19 +40,20 @@ class OutputFile {
 
  private:
   /// Creates temporary_ for writing and notes its name for the signal handler, as one step that no
-  /// signal can split. Sets descriptor_ and slot_; where it cannot, leaves them, and sets errno.
+  /// signal can split. Sets descriptor_; where it cannot, leaves it, and sets errno.
   void createTemporary(unsigned permissions);
-  /// The temporary file is gone: renamed or removed.
-  void forgetTemporary();
-  void removeTemporary();
+  /// Renames the temporary file to target_, or, where it is not `isWhole`, removes it; in the same
+  /// way, one step. False where it cannot be renamed: errno says why, and it is still there.
+  bool endTemporary(bool isWhole);
+  void discard();
   [[noreturn]] void fail(int error) const;
 
-  std::string path_;       // as the user gave it, for messages
-  std::string target_;     // the file to replace, links followed
-  std::string temporary_;  // the name being written
-  int descriptor_ = -1;    // closed: -1
-  std::size_t size_ = 0;   // bytes written
-  int slot_ = -1;          // where the signal handler finds temporary_; -1: there is none
+  std::string path_;          // as the user gave it, for messages
+  std::string target_;        // the file to replace, links followed
+  std::string temporary_;     // the name being written
+  int descriptor_ = -1;       // closed: -1
+  std::size_t size_ = 0;      // bytes written
+  bool isTemporary_ = false;  // a file of the name temporary_ stands there
 };
 
 /// Writes a whole file: OutputFile, write, commit. Throws OutputError.
@@ -84,7 +85,3 @@ void passSignalsTo(int descriptor);
 /// What a signal does that is not passed: removes the temporary files and ends the program with
 /// status 128 + `signal`.
 [[noreturn]] void endOnSignal(int signal);
-
-/// Does not return once a signal handler, in another thread, has begun to end the program: what
-/// fails from then on (a rename of a file that the handler has removed) is no error to report.
-void waitIfEnding();

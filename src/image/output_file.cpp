@@ -17,6 +17,9 @@
 #include <climits>
 #include <cstring>
 #include <filesystem>
+#include <utility>
+
+#include "system/files.h"
 
 namespace {
 
@@ -26,16 +29,13 @@ constexpr int kMostLinks = 40;             // as Linux itself counts before it s
 constexpr int kMostAttempts = 100;         // to find a temporary name that is free
 constexpr std::size_t kLongestName = 255;  // of one part of a path, on every common file system
 
-/// With its last slash; empty for a name in the current folder.
-std::string folderOf(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
-/// The same as the system takes it.
-std::string openFolderOf(const std::string& path) {
-  return folderOf(path).empty() ? "." : folderOf(path);
+fs::path folderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 /// What a path stands for, once its links are followed.
 struct Place {
-  std::string path;     // without links in its last part
+  fs::path path;        // without links in its last part
   int descriptor = -1;  // of this process, where the path stands for one
   bool isInPlace = false;
   bool exists = false;
@@ -44,11 +44,14 @@ struct Place {
 };
 
 /// True for /dev/fd, /proc/self/fd and the like: the descriptors of this very process.
-bool holdsOwnDescriptors(const std::string& folder) {
+bool holdsOwnDescriptors(const fs::path& folder) {
   const std::string own = "/proc/" + std::to_string(getpid()) + "/";
-  const bool isOfThread = folder.rfind(own + "task/", 0) == 0 && folder.size() > 3 &&
-                          folder.compare(folder.size() - 3, 3, "/fd") == 0;
-  return folder == "/dev/fd" || folder == own + "fd" || isOfThread;
+  return folder == "/dev/fd" || (folder.string().rfind(own, 0) == 0 && folder.filename() == "fd");
+}
+
+bool isNumber(const std::string& name) {
+  return !name.empty() && name.size() <= 9 &&
+         name.find_first_not_of("0123456789") == std::string::npos;
 }
 
 /// Follows the links of the last part by hand, because the file at their end may not exist yet.
@@ -58,19 +61,17 @@ Place findPlace(const std::string& given) {
   place.path = given == "-" ? "/dev/fd/" + std::to_string(STDOUT_FILENO) : given;
   for (int links = 0; links <= kMostLinks; ++links) {
     std::error_code ignored;
-    const std::string folder = fs::canonical(openFolderOf(place.path), ignored).string();
-    const std::string name = place.path.substr(folderOf(place.path).size());
-    const bool isNumber = !name.empty() && name.size() <= 9 &&
-                          name.find_first_not_of("0123456789") == std::string::npos;
-    if (given == "-" || (isNumber && holdsOwnDescriptors(folder))) {
+    const fs::path folder = fs::canonical(folderOf(place.path), ignored);
+    const std::string name = place.path.filename().string();
+    if (given == "-" || (isNumber(name) && holdsOwnDescriptors(folder))) {
       place.isInPlace = true;
       place.descriptor = std::stoi(name);
       return place;
     }
-    const bool isInProc = folder == "/proc" || folder.rfind("/proc/", 0) == 0;
-    const std::string text = isInProc ? "" : fs::read_symlink(place.path, ignored).string();
-    if (!text.empty()) {
-      place.path = text[0] == '/' ? text : folderOf(place.path) + text;
+    const bool isInProc = folder == "/proc" || folder.string().rfind("/proc/", 0) == 0;
+    const fs::path linked = isInProc ? fs::path() : fs::read_symlink(place.path, ignored);
+    if (!linked.empty()) {
+      place.path = folderOf(place.path) / linked;  // which is `linked` alone where that has a root
       continue;
     }
     place.exists = stat(place.path.c_str(), &place.status) == 0;
@@ -82,7 +83,7 @@ Place findPlace(const std::string& given) {
 }
 
 /// 0, or the errno of why the process may not use the path so.
-int errorOfAccess(const std::string& path, int mode) {
+int errorOfAccess(const fs::path& path, int mode) {
   return faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0 ? 0 : errno;
 }
 
@@ -94,53 +95,50 @@ int findObstacle(const Place& place) {
     return (flags & O_ACCMODE) == O_RDONLY ? EBADF : 0;
   }
   if (place.path.empty()) return ENOENT;
-  if (place.path.back() == '/') return EISDIR;
+  if (!place.path.has_filename()) return EISDIR;
   if (place.error != 0) return place.error;
   if (place.exists) {
     if (S_ISDIR(place.status.st_mode)) return EISDIR;
     if (const int error = errorOfAccess(place.path, W_OK)) return error;
   }
   if (place.isInPlace) return place.exists ? 0 : ENOENT;
-  return errorOfAccess(openFolderOf(place.path), W_OK | X_OK);
+  return errorOfAccess(folderOf(place.path), W_OK | X_OK);
 }
 
 /// NAME.tmp.PID, NAME cut where the whole would be too long for a file system; from the second
 /// attempt on (a file of that name was left by a killed run of the same number) with a counter.
-std::string temporaryName(const std::string& target, int attempt) {
+std::string temporaryName(const fs::path& target, int attempt) {
   std::string ending = ".tmp." + std::to_string(getpid());
   if (attempt > 1) ending += "." + std::to_string(attempt);
-  const std::string folder = folderOf(target);
-  return folder + target.substr(folder.size(), kLongestName - ending.size()) + ending;
+  const std::string name = target.filename().string().substr(0, kLongestName - ending.size());
+  return folderOf(target) / (name + ending);
+}
+
+/// The call again, as long as signals interrupt it.
+template <class Call>
+int uninterrupted(const Call& call) {
+  int result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
 }
 
 int openInPlace(const Place& place) {
   if (place.descriptor >= 0) return fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0);
-  int descriptor = -1;
-  do {
-    descriptor = open(place.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-  } while (descriptor < 0 && errno == EINTR);
-  return descriptor;
+  return uninterrupted(
+      [&place] { return open(place.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); });
 }
 
 /// Flushes to the disk. What cannot be flushed (a pipe, a device) is no error.
 bool flush(int descriptor) {
-  while (fsync(descriptor) != 0) {
-    if (errno == EINTR) continue;
-    return errno == EINVAL || errno == ENOTSUP || errno == EROFS;
-  }
-  return true;
+  return uninterrupted([descriptor] { return fsync(descriptor); }) == 0 || errno == EINVAL ||
+         errno == ENOTSUP || errno == EROFS;
 }
 
 /// Flushes the folder of a file, so that a rename in it outlives a power failure. A folder that may
 /// be written but not read cannot be opened for that; the system flushes it in its own time.
 bool flushFolderOf(const std::string& path) {
-  const int descriptor = open(openFolderOf(path).c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return errno == EACCES;
-  const bool isFlushed = flush(descriptor);
-  const int error = errno;
-  close(descriptor);
-  errno = error;
-  return isFlushed;
+  const OpenFile folder(folderOf(path));
+  return folder.isOpen() ? flush(folder.descriptor()) : errno == EACCES;
 }
 
 /// True when the caller should try again what gave errno.
@@ -176,18 +174,16 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   const bool isOwned = fchown(descriptor_, place.status.st_uid, place.status.st_gid) == 0;
   if (fchmod(descriptor_, place.status.st_mode & (isOwned ? 07777 : 0777)) == 0) return;
   const int error = errno;
-  removeTemporary();
+  discard();
   fail(error);
 }
 
-OutputFile::~OutputFile() { removeTemporary(); }
+OutputFile::~OutputFile() { discard(); }
 
-void OutputFile::removeTemporary() {
+void OutputFile::discard() {
   if (descriptor_ >= 0) close(descriptor_);
   descriptor_ = -1;
-  if (slot_ < 0) return;
-  unlink(temporary_.c_str());
-  forgetTemporary();
+  if (isTemporary_) endTemporary(false);
 }
 
 void OutputFile::write(const void* data, std::size_t size) {
@@ -204,24 +200,16 @@ void OutputFile::write(const void* data, std::size_t size) {
 
 void OutputFile::commit() {
   if (!flush(descriptor_)) fail(errno);
-  const bool isTemporary = slot_ >= 0;
   struct stat status = {};
-  if (isTemporary && fstat(descriptor_, &status) != 0) fail(errno);
-  if (isTemporary && static_cast<std::size_t>(status.st_size) != size_) fail(EIO);
-  const int closing = descriptor_;
-  descriptor_ = -1;
+  if (isTemporary_ && fstat(descriptor_, &status) != 0) fail(errno);
+  if (isTemporary_ && static_cast<std::size_t>(status.st_size) != size_) fail(EIO);
   // After EINTR the descriptor is closed all the same on Linux, and the bytes are flushed.
-  if (close(closing) != 0 && errno != EINTR) fail(errno);
-  if (!isTemporary) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  forgetTemporary();
-  if (!flushFolderOf(target_)) fail(errno);
+  if (close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) fail(errno);
+  if (!isTemporary_) return;
+  if (!endTemporary(true) || !flushFolderOf(target_)) fail(errno);
 }
 
-void OutputFile::fail(int error) const {
-  waitIfEnding();
-  throw OutputError(path_, std::strerror(error));
-}
+void OutputFile::fail(int error) const { throw OutputError(path_, std::strerror(error)); }
 
 void writeFile(const std::string& path, const void* data, std::size_t size) {
   OutputFile file(path);

@@ -1,10 +1,10 @@
 // What signals do to outputs that are not finished: their temporary files are removed.
 // The one exception to "no globals": a signal handler receives nothing but a number, and may use
-// neither locks nor the heap, so that what it needs can only stand in static memory: the names of
-// the temporary files, in slots. A file is created and its name noted while all signals are blocked
-// in that thread, and a handler in another thread waits for it (`isChanging`); once a handler has
-// begun (`isEnding`) nothing is created any more. A slot is free again as soon as its file has been
-// renamed or removed.
+// neither the heap nor a mutex, so that what it needs can only stand in static memory: where the
+// names of the temporary files are. A file is created and its name noted, or renamed and its name
+// dropped, as one step that no signal can split: signals are blocked in that thread, and a handler
+// in another thread waits for it (Undisturbed). A handler that ends the program stays in that state
+// for good, so that nothing is created or renamed any more.
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -12,86 +12,63 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <climits>
 #include <csignal>
-#include <cstdint>
-#include <cstring>
+#include <cstdio>
 #include <ctime>
 
 #include "image/output_file.h"
 
 namespace {
 
-constexpr int kMostTemporaries = 16;  // outputs open at once; a run has a handful
-
 /// True or false in a word: riscv64 locks for less.
 using Flag = std::atomic<int>;
-static_assert(Flag::is_always_lock_free, "used in a signal handler");
+using Name = std::atomic<const char*>;
+static_assert(Flag::is_always_lock_free && Name::is_always_lock_free, "used in signal handlers");
 
-struct Slot {
-  Flag isTaken{false};
-  char name[PATH_MAX] = {};
-};
-
-Slot slots[kMostTemporaries];
-Flag isChanging{false};  // a thread is creating a file and noting its name
+Name temporaries[16];  // null: free; owned by the OutputFile. A run has a handful open at once.
+Flag isDisturbanceBarred{false};
 Flag isLineOpenNow{false};
-Flag isEnding{false};
 
-/// As long as it lives, a file is created and noted, or neither.
-class NoSignalsHere {
+/// As long as one lives, no signal reaches its thread, and no other thread has one.
+class Undisturbed {
  public:
-  NoSignalsHere() {
+  Undisturbed() {
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before_);
-    while (isChanging.exchange(true) || isEnding) {
-      if (!isEnding) continue;
-      isChanging = false;  // which the handler, in another thread, waits for
-      pause();             // until its _exit
+    while (isDisturbanceBarred.exchange(true)) {  // for one system call, or until the program ends
     }
   }
-  ~NoSignalsHere() {
-    isChanging = false;
+  ~Undisturbed() {
+    isDisturbanceBarred = false;
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
-  NoSignalsHere(const NoSignalsHere&) = delete;
-  NoSignalsHere& operator=(const NoSignalsHere&) = delete;
+  Undisturbed(const Undisturbed&) = delete;
+  Undisturbed& operator=(const Undisturbed&) = delete;
 
  private:
   sigset_t before_;
 };
 
-Flag passedTo{-1};  // the descriptor of who wants to hear of signals
-Flag passing{0};    // handlers that are just writing there
-// When the first signal was passed, in ms; 0: none was. The clock begins again at 0 after 49 days,
-// as differences of unsigned numbers do: a long of 32 bits would overflow after half of that.
-using Milliseconds = std::uint32_t;
-std::atomic<Milliseconds> firstPass{0};
-constexpr Milliseconds kPatience = 100;
-static_assert(std::atomic<Milliseconds>::is_always_lock_free, "used in a signal handler");
+// Both change only while one is Undisturbed.
+int passedTo = -1;        // the descriptor of who wants to hear of signals
+long long firstPass = 0;  // when the first signal was passed, in ms; 0: none was
+constexpr long long kPatience = 100;
 
 /// True where someone else will end the program.
 bool pass(int signal) {
-  ++passing;
-  const int descriptor = passedTo;
-  bool isPassed = false;
+  const Undisturbed whilePassing;
   struct timespec now = {};
-  if (descriptor >= 0 && clock_gettime(CLOCK_MONOTONIC, &now) == 0) {
-    const Milliseconds time = std::max(
-        Milliseconds{1}, Milliseconds(now.tv_sec) * 1000 + Milliseconds(now.tv_nsec / 1000000));
-    Milliseconds first = 0;
-    if (firstPass.compare_exchange_strong(first, time)) first = time;
-    const auto byte = static_cast<unsigned char>(signal);
-    isPassed = time - first <= kPatience && write(descriptor, &byte, 1) == 1;
-  }
-  --passing;
-  return isPassed;
+  if (passedTo < 0 || clock_gettime(CLOCK_MONOTONIC, &now) != 0) return false;
+  const long long time = now.tv_sec * 1000LL + now.tv_nsec / 1000000;
+  if (firstPass == 0) firstPass = time;
+  const auto byte = static_cast<unsigned char>(signal);
+  return time - firstPass <= kPatience && write(passedTo, &byte, 1) == 1;
 }
 
 void removeTemporaries() {
-  for (const Slot& slot : slots) {
-    if (slot.isTaken) unlink(slot.name);
+  for (const char* const name : temporaries) {
+    if (name) unlink(name);
   }
 }
 
@@ -101,7 +78,8 @@ extern "C" void passOrEnd(int signal) {
   errno = error;
 }
 
-/// For crashes: SA_RESETHAND has put the default action back, which the second signal meets.
+/// For crashes: SA_RESETHAND has put the default action back, which the second signal meets. Waits
+/// for nobody, as the thread that it interrupts may be the one that is Undisturbed.
 extern "C" void removeAndCrash(int signal) {
   removeTemporaries();
   raise(signal);
@@ -120,47 +98,41 @@ void install(int signal, void (*handler)(int), int flags) {
 }  // namespace
 
 void OutputFile::createTemporary(unsigned permissions) {
-  const NoSignalsHere guard;
-  Slot* const free = std::find_if(std::begin(slots), std::end(slots),
-                                  [](const Slot& slot) { return slot.isTaken == 0; });
-  errno = free == std::end(slots) ? EMFILE : ENAMETOOLONG;
-  if (free == std::end(slots) || temporary_.size() >= sizeof free->name) return;
+  const Undisturbed whileNoting;
+  Name* const free = std::find(std::begin(temporaries), std::end(temporaries), nullptr);
+  errno = EMFILE;
+  if (free == std::end(temporaries)) return;
   descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
   if (descriptor_ < 0) return;
-  std::memcpy(free->name, temporary_.c_str(), temporary_.size() + 1);
-  free->isTaken = true;
-  slot_ = static_cast<int>(free - slots);
+  *free = temporary_.c_str();
+  isTemporary_ = true;
 }
 
-void OutputFile::forgetTemporary() {
-  slots[slot_].isTaken = false;
-  slot_ = -1;
+bool OutputFile::endTemporary(bool isWhole) {
+  const Undisturbed whileNoting;
+  if (isWhole && std::rename(temporary_.c_str(), target_.c_str()) != 0) return false;
+  if (!isWhole) unlink(temporary_.c_str());
+  *std::find(std::begin(temporaries), std::end(temporaries), temporary_.c_str()) = nullptr;
+  isTemporary_ = false;
+  return true;
 }
 
 void passSignalsTo(int descriptor) {
+  const Undisturbed whileChanging;
   passedTo = descriptor;
-  while (passing > 0) {
-  }
 }
 
 void endOnSignal(int signal) {
-  isEnding = true;
-  while (isChanging) {
-  }
+  const Undisturbed untilTheEnd;
   removeTemporaries();
   struct pollfd errors = {STDERR_FILENO, POLLOUT, 0};  // a pipe that nobody reads may be full
-  const bool takesMore =
-      isLineOpen() && poll(&errors, 1, 0) == 1 && (errors.revents & POLLOUT) != 0;
-  if (takesMore && write(STDERR_FILENO, "\n", 1) < 0) _exit(128 + signal);
+  const bool endsLine = isLineOpen() && poll(&errors, 1, 0) == 1;
+  [[maybe_unused]] const ssize_t written = endsLine ? write(STDERR_FILENO, "\n", 1) : 0;
   _exit(128 + signal);
 }
 
 void setLineOpen(bool isOpen) { isLineOpenNow = isOpen; }
 bool isLineOpen() { return isLineOpenNow; }
-
-void waitIfEnding() {
-  while (isEnding) pause();
-}
 
 void removeTemporaryOnSignals() {
   for (const int signal :
