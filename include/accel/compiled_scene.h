@@ -5,7 +5,6 @@
 #include <string>
 
 #include "accel/test_tally.h"
-#include "geometry/batch_geometry.h"
 #include "geometry/object3d.h"
 
 /// Which instruction set the kernels use.

@@ -1,7 +1,7 @@
 // Camera: turns a place on the image into a ray in world space with a unit direction.
 #pragma once
 #include "geometry/ray.h"
-#include "math/vec2.h"
+#include "math/vec3.h"
 
 class Camera {
  public:

@@ -1,5 +1,5 @@
 // Object3D: anything that a ray can hit. The two questions are intersect and occluded, each of one
-// ray; what answers for many at once is a BatchGeometry too.
+// ray; BatchGeometry, below, answers them for many at once.
 // All objects are const while rays are traced, so any number of threads may ask at once.
 #pragma once
 #include "geometry/hit.h"
@@ -35,16 +35,53 @@ class Object3D {
 
   /// True when any surface lies at tmin < t < tmax. Cheaper than intersect: no normal, no
   /// material, and the first hit ends it. By default it asks intersect.
-  virtual bool occluded(const Ray& ray, double tmin, double tmax) const;
+  virtual bool occluded(const Ray& ray, double tmin, double tmax) const {
+    Hit hit(tmax);
+    return intersect(ray, hit, tmin);
+  }
 
   /// Reports every crossing of the ray with a surface at t > 0. By default it asks intersect
   /// again and again, and calls the object open.
-  virtual void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const;
+  virtual void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
+    double tmin = 0;
+    for (Hit hit; intersect(ray, hit, tmin); hit = Hit()) {
+      tmin = hit.getT();
+      const bool leaving = dot(hit.getNormal(), ray.getDirection()) > 0;
+      const Object3D* const object = hit.getObject() ? hit.getObject() : this;
+      visitor.visit({tmin, object, hit.getMaterial(), false, leaving});
+    }
+  }
 
   /// Extends `box` by the object as `toWorld` places it. What has no bounds (a plane) adds
   /// nothing, which is also the default.
-  virtual void addBounds(const Matrix& toWorld, BoundingBox& box) const;
+  virtual void addBounds(const Matrix& /*toWorld*/, BoundingBox& /*box*/) const {}
 
   /// True when addBounds tells the whole extent. By default it does not.
   virtual bool isBounded() const { return false; }
+};
+
+/// The question of Object3D::occluded, to be asked along with others.
+struct ShadowQuery {
+  Ray ray;
+  double tmin = 0, tmax = 0;
+  ShadowQuery() {}  // were it defaulted, it would first clear all bytes, slowly
+  ShadowQuery(const Ray& r, double least, double most) : ray(r), tmin(least), tmax(most) {}
+};
+
+/// The most rays that belong together: the 16 x 16 pixels of a tile. More of them share fewer
+/// nodes, and what is known of them no longer stays in the processor's first cache.
+inline constexpr int kBatchSize = 256;
+
+/// What answers the questions for many rays in one call. Rays that begin together take much the
+/// same way through a tree of boxes: a node that is visited once for all of them costs less than
+/// once for each. Each answer is that of the ray alone.
+class BatchGeometry {
+ public:
+  virtual ~BatchGeometry() = default;
+
+  /// Object3D::intersect for `count` rays, 0 to kBatchSize, each with its own hit: hits[i] is
+  /// changed as intersect(rays[i], hits[i], tmins[i]) would.
+  virtual void intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const = 0;
+  /// Object3D::occluded for `count` queries, 0 to kBatchSize; stores each answer in blocked[i].
+  virtual void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const = 0;
 };

@@ -1,4 +1,5 @@
-// Vec3: a point, a direction, a normal or a colour, three components of one type.
+// Vec3: a point, a direction, a normal or a colour, three components of one type; and Vec2, a place
+// on a picture.
 // Convention: Vec3f holds colours, Vec3d holds geometry. Widening is implicit, narrowing is not.
 #pragma once
 #include <algorithm>
@@ -67,6 +68,29 @@ class Vec3 {
 
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
+
+/// A place on a picture, or on the image plane, where both components run over [-0.5, 0.5] along
+/// the longer side.
+template <class T>
+class Vec2 {
+ public:
+  constexpr Vec2() : x_(0), y_(0) {}
+  constexpr Vec2(T x, T y) : x_(x), y_(y) {}
+
+  /// From another component type; widening a Vec2f to a Vec2d is exact.
+  template <class U>
+  constexpr Vec2(const Vec2<U>& other) : x_(T(other.x())), y_(T(other.y())) {}
+
+  /// To the right and up.
+  constexpr T x() const { return x_; }
+  constexpr T y() const { return y_; }
+
+ private:
+  T x_, y_;
+};
+
+using Vec2f = Vec2<float>;
+using Vec2d = Vec2<double>;
 
 /// The scalar product, summed in the order x, y, z. Products beyond the type's range overflow to
 /// infinity, and to NaN where two of them differ in sign; below it they vanish.

@@ -19,12 +19,12 @@ class Filter {
   Filter(SamplingOptions::FilterKind kind, double size);
 
   /// The weight, from 0 to 1, of a sample at (x, y) from the pixel's centre.
-  double getWeight(double x, double y) const { return kernel_(x, y, size_); }
+  double getWeight(double x, double y) const;
   /// How many pixels to each side have samples that may count; 0: only the pixel's own do.
   int getSupportRadius() const { return supportRadius_; }
 
  private:
-  double (*kernel_)(double x, double y, double size);
+  SamplingOptions::FilterKind kind_;
   double size_;
   int supportRadius_;
 };

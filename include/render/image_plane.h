@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "math/vec2.h"
+#include "math/vec3.h"
 
 struct Pixel {
   int i, j;

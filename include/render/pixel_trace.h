@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "geometry/object3d.h"
-#include "render/ray_observer.h"
 #include "render/render_options.h"
 #include "render/report_words.h"
+#include "render/watched_tracer.h"
 #include "scene/scene_parser.h"
 
 /// A pixel, counted from 0 from the lower left corner, of a picture of width x height.

@@ -1,15 +1,48 @@
 // The renderer: casts rays through every pixel, in tiles, on several threads. One ray through the
 // centre, unless RenderOptions::sampling says otherwise.
 #pragma once
-#include <vector>
-
 #include "geometry/object3d.h"
 #include "image/image.h"
-#include "render/material_colors.h"
+#include "render/false_colors.h"
 #include "render/ray_counts.h"
 #include "render/render_options.h"
-#include "render/tile_hooks.h"
 #include "scene/scene_parser.h"
+
+struct PixelRectangle;
+struct RenderTargets;
+
+/// Keeps finished tiles, so that they need not be rendered again: for each tile the renderer asks
+/// whether it is finished, else renders it and hands it over. Called by all worker threads at once.
+/// `targets` has the pictures that the tiles at hand belong to, and no other; `area` is in pixels
+/// of the picture (not of an enlarged one), within it, its left and bottom multiples of kSide, its
+/// right and top too unless they are the picture's. Tiles have other areas when the number of
+/// threads is another.
+class TileStore {
+ public:
+  static constexpr int kSide = 16;  ///< pixels; all tiles are made of such squares
+
+  virtual ~TileStore() = default;
+  TileStore() = default;
+  TileStore(const TileStore&) = delete;
+  TileStore& operator=(const TileStore&) = delete;
+
+  /// True where the pictures already hold all these pixels, which are then not rendered.
+  virtual bool isFinished(const RenderTargets& targets, const PixelRectangle& area) const = 0;
+  /// The pictures now hold these pixels, and nobody writes to them any more.
+  virtual void finish(const RenderTargets& targets, const PixelRectangle& area) = 0;
+};
+
+/// Is told how far the picture is, by all worker threads at once.
+class TileListener {
+ public:
+  virtual ~TileListener() = default;
+
+  /// Before the first tile; `eyeRays` is how many rays all tiles begin with.
+  virtual void begins(double eyeRays) = 0;
+  /// The pixels of `area` have their final values; its tile began with so many rays. Called by the
+  /// thread that has set them.
+  virtual void tileIsDone(const PixelRectangle& area, double eyeRays) = 0;
+};
 
 /// Which pixels of the whole picture the targets hold, where they are a part of it: those from
 /// (left, bottom) on. A width and height of 0 mean that they are all of it.
@@ -43,19 +76,12 @@ struct RenderTargets {
   TileStore* store = nullptr;        ///< null: nobody keeps tiles
 };
 
-/// What one worker thread asks and where it counts its rays: `geometry` answers as the common one
-/// does. Not owned, not null.
-struct WorkerView {
-  const Object3D* geometry;
-  RayCounts* counts;
-};
-
 /// Fills the targets with the scene as its camera sees it, `geometry` (the scene's group, or a
 /// compiled form of it) answering for its objects. `threads` >= 1 never changes a byte. At least
 /// one target must be given; a pixel's central ray is cast once however many there are. Depth and
 /// normals are those of the central ray even where the colour comes from samples, whose rays are
 /// then cast besides it, once for colour and samples together.
-/// `views` is empty, or holds one for each thread where rays are to be counted.
+/// Where `counts` is not null, all rays are added to it.
 /// Throws what a worker thread throws (std::bad_alloc, std::system_error).
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets, const std::vector<WorkerView>& views = {});
+            int threads, const RenderTargets& targets, RayCounts* counts = nullptr);

@@ -2,77 +2,47 @@
 // so that the picture depends on no order and no number of threads.
 #pragma once
 #include <cstdint>
-#include <memory>
 
-#include "math/vec2.h"
+#include "math/vec3.h"
 #include "render/render_options.h"
 
+/// The patterns, by SamplingOptions::Pattern:
+///   center     one sample, at the pixel's centre;
+///   random     anywhere in the pixel, evenly spread;
+///   uniform    the centres of a square grid of cells, row by row from the lowest;
+///   jittered   one anywhere in each cell of such a grid, of side s;
+///   adaptive   likewise; for pixels that need more, samples that can be taken by and by: the first
+///              s^2 4^k of them, for every k, are one in each cell of a grid of side s 2^k.
+/// Source: the idea of refining a pattern cell by cell is that of Painter and Sloan,
+/// "Antialiased Ray Tracing by Adaptive Progressive Refinement", 1989.
 class Sampler {
  public:
-  virtual ~Sampler() = default;
-  Sampler(const Sampler&) = delete;
-  Sampler& operator=(const Sampler&) = delete;
+  /// The counts of `options` are within their limits; all but those of `random` are rounded up to
+  /// a square, and maxSamples to s^2 4^k.
+  explicit Sampler(const SamplingOptions& options);
 
   /// How many samples a pixel has at most.
   int getNumSamples() const { return most_; }
-  /// How many of them come first; the others are for pixels that need more. Most patterns have no
-  /// others.
+  /// How many of them come first; the others are for pixels that need more. Only the adaptive
+  /// pattern has others.
   int getNumFirst() const { return first_; }
   /// True where some pixels may get more samples than others.
   bool isAdaptive() const { return first_ < most_; }
   /// Sample `n` (0 <= n < getNumSamples()) of pixel (i, j), counted from the pixel's lower left
   /// corner: each component is at least 0 and below 1. (i, j) may lie outside of the picture.
-  virtual Vec2d getSamplePosition(int i, int j, int n) const = 0;
-
- protected:
-  Sampler(int first, int most) : first_(first), most_(most) {}
-
- private:
-  int first_, most_;
-};
-
-/// Anywhere in the pixel, evenly spread.
-class RandomSampler : public Sampler {
- public:
-  explicit RandomSampler(int samples) : Sampler(samples, samples) {}
-  Vec2d getSamplePosition(int i, int j, int n) const override;
-};
-
-/// The centres of a square grid of cells, row by row from the lowest. One sample is the pixel's
-/// centre.
-class UniformSampler : public Sampler {
- public:
-  /// `samples` >= 1 is rounded up to a square.
-  explicit UniformSampler(int samples);
-  Vec2d getSamplePosition(int i, int j, int n) const override;
-
- private:
-  int side_;
-};
-
-/// One sample anywhere in each cell of a square grid; for pixels that need more, samples that can
-/// be taken by and by: the first s^2 4^k of them, for every k, are one in each cell of a grid of
-/// side s 2^k.
-/// Source: the idea of refining a pattern cell by cell is that of Painter and Sloan,
-/// "Antialiased Ray Tracing by Adaptive Progressive Refinement", 1989.
-class JitteredSampler : public Sampler {
- public:
-  /// s^2 is `first` >= 1 rounded up to a square; `most` is rounded up to s^2 4^k.
-  JitteredSampler(int first, int most);
-  explicit JitteredSampler(int samples) : JitteredSampler(samples, 1) {}
-  Vec2d getSamplePosition(int i, int j, int n) const override;
+  Vec2d getSamplePosition(int i, int j, int n) const;
 
  private:
   /// A cell of the grid of side s 2^level.
   struct Cell {
     int level, x, y;
   };
+  Vec2d jitteredPosition(std::uint64_t pixel, int n) const;
   Vec2d sampleIn(std::uint64_t pixel, const Cell& cell) const;
   int quarterOf(const Vec2d& sample, const Cell& cell) const;
   Vec2d newSampleIn(std::uint64_t pixel, const Cell& cell) const;
 
+  SamplingOptions::Pattern pattern_;
   int side_;  // s
+  int first_, most_;
 };
-
-/// The sampler that `options` describe; their counts are within their limits.
-std::unique_ptr<const Sampler> makeSampler(const SamplingOptions& options);

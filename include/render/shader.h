@@ -5,7 +5,7 @@
 // so does each rule by which recursion ends. All of it is const: any number of threads may ask.
 // Source: Whitted, "An Improved Illumination Model for Shaded Display", 1980.
 #pragma once
-#include "geometry/batch_geometry.h"
+#include "geometry/object3d.h"
 #include "render/render_options.h"
 #include "render/surface.h"
 #include "scene/scene_parser.h"

@@ -1,8 +1,72 @@
 // WatchedTracer: a RayTracer that tells a RayObserver what it does, step by step. The colours are
 // the RayTracer's own.
+//
+// Events come depth first, in the order of the sum of terms: a ray begins, meets something, asks
+// each light, follows its branches, each of which begins and ends inside it, and ends. So a tree of
+// rays can be printed as it is traced.
 #pragma once
-#include "render/ray_observer.h"
 #include "render/ray_tracer.h"
+
+enum class RayKind { eye, mirror, refracted };
+inline constexpr int kRayKinds = 3;
+
+/// A ray that is about to be traced.
+struct RayBegin {
+  RayKind kind;
+  const Ray& ray;
+  int bounces;              ///< how many secondary rays came before it
+  float weight;             ///< the share that its colour has in the pixel
+  float indexOfRefraction;  ///< of the medium it travels in
+  double tmin;              ///< it meets what lies at t > tmin
+  Vec3f factor;             ///< of its colour in that of the ray it continues; white for an eye ray
+};
+
+/// What came of one light at one hit.
+struct LightVerdict {
+  int light;                 ///< its number in the scene
+  bool isInFront;            ///< false where the surface is turned away: nothing more was asked
+  bool castShadowRay;        ///< whether anything in the way was looked for
+  Vec3f visible;             ///< the part of its colour that arrives; black where it is blocked
+  Vec3d direction;           ///< unit, to the light
+  double distance;           ///< to the light, perhaps infinite
+  const ShadowQuery* query;  ///< the shadow ray; null where none was cast
+};
+
+/// The terms of the sum.
+enum class ColorTerm { ambient, lights, mirror, transmitted };
+
+/// Who wants to know. All events do nothing by default. An observer belongs to one thread; what it
+/// is handed by reference lasts as long as the call.
+class RayObserver {
+ public:
+  virtual ~RayObserver() = default;
+
+  /// An eye ray, or a secondary one inside the ray it continues.
+  virtual void rayBegins(const RayBegin&) {}
+  /// A surface that changes nothing (RenderOptions::nestedDielectrics), which the ray goes through
+  /// before what rayMeets tells of.
+  virtual void surfaceIsPassed(const Hit&) {}
+  /// `hit` is null where the ray meets nothing; then the background is its colour.
+  virtual void rayMeets(const Hit* /*hit*/) {}
+  /// The media on both sides of what the ray has met, and what dims the light on its way from
+  /// there. Not told where it meets nothing.
+  virtual void interfaceIsKnown(const Interface&) {}
+  /// The surface is a solid texture: what follows up to componentEnds is as if it were of
+  /// `material` alone, whose colour has the share `share` in the ray's, 0 to 1.
+  virtual void componentBegins(const Material& /*material*/, double /*share*/) {}
+  virtual void componentEnds(const Vec3f& /*color*/) {}
+  /// Once for each light, in the scene's order.
+  virtual void lightAnswers(const LightVerdict&) {}
+  /// What the light that has answered last brings, where anything of it arrives.
+  virtual void lightAdds(const Vec3d& /*color*/) {}
+  /// A branch that the material asks for is not followed: tooManyBounces, tooFaint (then `weight`
+  /// is below the least) or totalReflection.
+  virtual void branchEnds(RayKind, Outcome, float /*weight*/) {}
+  /// What a term adds, before Interface::tint; all four, in the order of the sum.
+  virtual void termIsKnown(ColorTerm, const Vec3d& /*color*/) {}
+  /// The colour of the ray that began last and has not ended.
+  virtual void rayEnds(const Vec3f& /*color*/) {}
+};
 
 class WatchedTracer : public RayTracer {
  public:

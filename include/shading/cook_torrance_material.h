@@ -2,8 +2,8 @@
 // As for every material here, white diffuse light is (n.l) L without a division by pi: a BRDF f
 // stands in the colour as pi f (n.l) L.
 #pragma once
-#include "shading/fresnel.h"
 #include "shading/material.h"
+#include "shading/optics.h"
 
 class CookTorranceMaterial : public Material {
  public:

@@ -7,7 +7,6 @@
 #include "accel/transform_range.h"
 #include "accel/traversal.h"
 #include "accel/wide_bvh.h"
-#include "geometry/batch_geometry.h"
 #include "geometry/object3d.h"
 #include "geometry/transform.h"
 #include "geometry/triangle_mesh.h"

@@ -5,8 +5,7 @@
 #include <cstdio>
 
 #include "cli/run_display.h"
-#include "render/heatmap.h"
-#include "render/material_colors.h"
+#include "render/false_colors.h"
 #include "render/pixel_trace.h"
 #include "render/report_words.h"
 

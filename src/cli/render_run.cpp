@@ -20,26 +20,13 @@
 
 namespace {
 
-/// What one thread counts, apart from the others' in memory.
-struct alignas(128) ThreadCounts {
-  RayCounts rays;
-};
-
-/// Renders, and enters in `stats` what the threads have counted.
+/// Renders, and enters in `stats` what was counted.
 void renderCounted(const SceneParser& scene, const SceneGeometry& geometry,
                    const PictureRequest& picture, const RenderTargets& targets, Stats& stats) {
-  std::vector<ThreadCounts> counts(std::size_t(stats.threads));
-  std::vector<WorkerView> views;
-  for (ThreadCounts& each : counts) {
-    views.push_back({&geometry.object(), &each.rays});
-  }
-  render(scene, geometry.object(), picture.render, stats.threads, targets, views);
+  render(scene, geometry.object(), picture.render, stats.threads, targets, &stats.rays);
   stats.pixels = double(picture.area.pixelCount());
   stats.countsTests = picture.acceleration.cellPicture == Acceleration::CellPicture::none;
   stats.tests = geometry.tallied();
-  for (const ThreadCounts& each : counts) {
-    stats.rays.add(each.rays);
-  }
 }
 
 /// The picture that -preview shows where the renderer has filled none; null where there is none.

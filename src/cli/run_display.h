@@ -10,7 +10,6 @@
 #include "cli/request.h"
 #include "image/image.h"
 #include "render/renderer.h"
-#include "render/tile_hooks.h"
 
 /// Columns and lines of a terminal.
 struct TerminalSize {

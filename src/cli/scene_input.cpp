@@ -28,8 +28,8 @@ void warnOfSimd(SimdLevel wanted) {
 
 /// Which numbers of samples are rounded up, and to what; "" where none is.
 std::string roundingWarning(const SamplingOptions& wanted) {
-  const auto sampler = makeSampler(wanted);
-  const int first = sampler->getNumFirst(), most = sampler->getNumSamples();
+  const Sampler sampler(wanted);
+  const int first = sampler.getNumFirst(), most = sampler.getNumSamples();
   const std::string samples = std::to_string(wanted.samples);
   if (wanted.pattern == Pattern::adaptive) {
     if (first == wanted.samples && most == wanted.maxSamples) return "";

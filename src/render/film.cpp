@@ -1,6 +1,8 @@
 // Filters, the film, and the pictures of filters and samples.
 //
-// A filter is a kernel: a function of the place and of one size. A sample is splatted: added to
+// A filter is a function of the place and of one size: a box, 1 in a square around the centre, its
+// border included; a tent, really a cone, 1 - d / size at the distance d; or a gaussian,
+// exp(-d^2 / (2 size^2)) up to d = 2 size, and 0 beyond. A sample is splatted: added to
 // every pixel within the filter's reach with the weight that it has as seen from there, so a film
 // needs each sample once and keeps none. Colours and places of the two pictures are those of the
 // course's own: MIT 6.837, "Supersampling and Antialiasing", 2004.
@@ -14,28 +16,7 @@
 
 namespace {
 
-/// 1 in a square around the centre, its border included, else 0.
-double box(double x, double y, double radius) {
-  return std::fabs(x) <= radius && std::fabs(y) <= radius ? 1 : 0;
-}
-
-/// A cone: max(0, 1 - d / radius), d the distance from the centre.
-double tent(double x, double y, double radius) {
-  return std::max(0.0, 1 - std::sqrt(x * x + y * y) / radius);
-}
-
-/// exp(-d^2 / (2 sigma^2)) up to the distance d = 2 sigma, 0 beyond.
-double gaussian(double x, double y, double sigma) {
-  const double ratio = (x * x + y * y) / (sigma * sigma);
-  return ratio <= 4 ? math::exp(-ratio / 2) : 0;  // 0 / 0, where sigma^2 underflows, is beyond
-}
-
-struct Shape {
-  double (*kernel)(double x, double y, double size);
-  double radiusPerSize;  // it is 0 further away than this times the size
-};
-/// By SamplingOptions::FilterKind.
-constexpr Shape kShapes[] = {{box, 1}, {tent, 1}, {gaussian, 2}};
+using FilterKind = SamplingOptions::FilterKind;
 
 /// A pixel d to the side has samples from d - 0.5 to d + 0.5 away.
 int pixelsWithin(double radius) { return int(std::ceil(std::max(0.0, radius - 0.5))); }
@@ -47,10 +28,24 @@ int placeOf(double offset, int zoom) { return std::min(int(offset * zoom), zoom 
 
 }  // namespace
 
-Filter::Filter(SamplingOptions::FilterKind kind, double size)
-    : kernel_(kShapes[int(kind)].kernel),
+Filter::Filter(FilterKind kind, double size)
+    : kind_(kind),
       size_(size),
-      supportRadius_(pixelsWithin(kShapes[int(kind)].radiusPerSize * size)) {}
+      supportRadius_(pixelsWithin(kind == FilterKind::gaussian ? 2 * size : size)) {}
+
+double Filter::getWeight(double x, double y) const {
+  const double squared = x * x + y * y;
+  switch (kind_) {
+    case FilterKind::box:
+      return std::fabs(x) <= size_ && std::fabs(y) <= size_ ? 1 : 0;
+    case FilterKind::tent:
+      return std::max(0.0, 1 - std::sqrt(squared) / size_);
+    case FilterKind::gaussian:
+      break;
+  }
+  const double ratio = squared / (size_ * size_);
+  return ratio <= 4 ? math::exp(-ratio / 2) : 0;  // 0 / 0, where sigma^2 underflows, is beyond
+}
 
 Film::Film(const PixelRectangle& area, const Filter& filter)
     : area_(area), filter_(filter), filtered_(area.pixelCount()), own_(area.pixelCount()) {}

@@ -1,6 +1,7 @@
 // Traces the rays of samples and hands over their colours, as many for each pixel as the sampler
 // has, or fewer where colours agree.
 #pragma once
+#include <algorithm>
 #include <functional>
 
 #include "camera/camera.h"
@@ -14,7 +15,7 @@ struct PictureView {
   const Camera& camera;
   int width, height;
 
-  /// Makes of a new ray the one that the camera sends through a sample's place.
+  /// The ray that the camera sends through a sample's place.
   void setEyeRay(const Sample& sample, TracedRay& eye) const {
     eye.ray = camera.generateRay(imagePoint(sample.at.i + sample.offset.x(),
                                             sample.at.j + sample.offset.y(), width, height));
@@ -37,10 +38,20 @@ struct SampleSource {
 class ColorRange {
  public:
   /// A component that is NaN counts as 0, as which it is shown.
-  void add(const Vec3f& color);
-  void add(const ColorRange& other);
+  void add(const Vec3f& color) {
+    const Vec3f shown = least(largest(Vec3f(), color), Vec3f(1, 1, 1));
+    low_ = least(low_, shown);
+    high_ = largest(high_, shown);
+  }
+  void add(const ColorRange& other) {
+    low_ = least(low_, other.low_);
+    high_ = largest(high_, other.high_);
+  }
   /// The largest difference in a component; below 0 before anything was added.
-  double width() const;
+  double width() const {
+    const Vec3d widths = Vec3d(high_) - Vec3d(low_);
+    return std::max({widths.r(), widths.g(), widths.b()});
+  }
 
  private:
   Vec3f low_{1, 1, 1}, high_{-1, -1, -1};

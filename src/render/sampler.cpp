@@ -12,9 +12,11 @@
 
 #include <cassert>
 
-#include "math/random_bits.h"
+#include "math/functions.h"
 
 namespace {
+
+using Pattern = SamplingOptions::Pattern;
 
 /// What the random numbers of a pixel start from.
 std::uint64_t seedOf(int i, int j) {
@@ -39,33 +41,32 @@ int gridSide(int samples) {
   return side;
 }
 
-int squareFrom(int samples) { return gridSide(samples) * gridSide(samples); }
-
-/// The first s^2 4^k that is at least `most`, s^2 being `first`.
-int refinedCount(int first, int most) {
-  while (first < most) first *= 4;
-  return first;
-}
-
 }  // namespace
 
-Vec2d RandomSampler::getSamplePosition(int i, int j, int n) const {
-  return randomPoint(seedOf(i, j), std::uint64_t(n));
+Sampler::Sampler(const SamplingOptions& options)
+    : pattern_(options.pattern),
+      side_(pattern_ == Pattern::center ? 1 : gridSide(options.samples)),
+      first_(pattern_ == Pattern::random ? options.samples : side_ * side_),
+      most_(first_) {
+  while (pattern_ == Pattern::adaptive && most_ < options.maxSamples) most_ *= 4;
 }
 
-UniformSampler::UniformSampler(int samples)
-    : Sampler(squareFrom(samples), squareFrom(samples)), side_(gridSide(samples)) {}
-
-Vec2d UniformSampler::getSamplePosition(int, int, int n) const {
-  return pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
-}
-
-JitteredSampler::JitteredSampler(int first, int most)
-    : Sampler(squareFrom(first), refinedCount(squareFrom(first), most)), side_(gridSide(first)) {}
-
-Vec2d JitteredSampler::getSamplePosition(int i, int j, int n) const {
+Vec2d Sampler::getSamplePosition(int i, int j, int n) const {
   assert(n >= 0 && n < getNumSamples());
-  const std::uint64_t pixel = seedOf(i, j);
+  switch (pattern_) {
+    case Pattern::center:
+    case Pattern::uniform:
+      return pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
+    case Pattern::random:
+      return randomPoint(seedOf(i, j), std::uint64_t(n));
+    case Pattern::jittered:
+    case Pattern::adaptive:
+      break;
+  }
+  return jitteredPosition(seedOf(i, j), n);
+}
+
+Vec2d Sampler::jitteredPosition(std::uint64_t pixel, int n) const {
   int before = getNumFirst(), side = side_;
   if (n < before) return newSampleIn(pixel, {0, n % side, n / side});
   // Which grid is refined when sample n comes: the one whose samples end before it.
@@ -82,7 +83,7 @@ Vec2d JitteredSampler::getSamplePosition(int i, int j, int n) const {
 
 /// The sample that the grid of this level has in the cell: that of the cells around it, from the
 /// largest on, as long as it lies in this one.
-Vec2d JitteredSampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
+Vec2d Sampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
   Cell around = {0, cell.x >> cell.level, cell.y >> cell.level};
   Vec2d sample = newSampleIn(pixel, around);
   for (int level = 1; level <= cell.level; ++level) {
@@ -96,31 +97,14 @@ Vec2d JitteredSampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
 }
 
 /// The quarter of the cell in which its sample lies: 0 and 1 below, 2 and 3 above.
-int JitteredSampler::quarterOf(const Vec2d& sample, const Cell& cell) const {
+int Sampler::quarterOf(const Vec2d& sample, const Cell& cell) const {
   const int finer = side_ << (cell.level + 1);
   return int(sample.x() * finer >= 2 * cell.x + 1) + 2 * int(sample.y() * finer >= 2 * cell.y + 1);
 }
 
 /// The sample of a cell in which no coarser grid has one.
-Vec2d JitteredSampler::newSampleIn(std::uint64_t pixel, const Cell& cell) const {
+Vec2d Sampler::newSampleIn(std::uint64_t pixel, const Cell& cell) const {
   const int side = side_ << cell.level;
   const auto index = std::uint64_t(cell.x + cell.y * side) | std::uint64_t(cell.level) << 32;
   return pointInCell(cell.x, cell.y, side, randomPoint(pixel, index));
-}
-
-std::unique_ptr<const Sampler> makeSampler(const SamplingOptions& options) {
-  using Pattern = SamplingOptions::Pattern;
-  switch (options.pattern) {
-    case Pattern::random:
-      return std::make_unique<RandomSampler>(options.samples);
-    case Pattern::jittered:
-      return std::make_unique<JitteredSampler>(options.samples);
-    case Pattern::adaptive:
-      return std::make_unique<JitteredSampler>(options.samples, options.maxSamples);
-    case Pattern::uniform:
-      return std::make_unique<UniformSampler>(options.samples);
-    case Pattern::center:
-      break;
-  }
-  return std::make_unique<UniformSampler>(1);
 }

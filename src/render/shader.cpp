@@ -11,8 +11,7 @@
 
 #include <cmath>
 
-#include "render/optics.h"
-#include "shading/fresnel.h"
+#include "shading/optics.h"
 
 namespace {
 

@@ -8,8 +8,7 @@
 #include <optional>
 
 #include "render/image_plane.h"
-#include "render/render_options.h"
-#include "render/tile_hooks.h"
+#include "render/renderer.h"
 #include "system/worker_threads.h"
 
 /// The side of the smallest tiles, in pixels. Small, as some pixels take a hundred times as long as
@@ -30,24 +29,8 @@ struct Tiling {
   }
 };
 
-/// Hands out all tiles once. Any thread may ask at any time.
-class TileQueue {
- public:
-  explicit TileQueue(const Tiling& tiling) : tiling_(tiling) {}
-  TileQueue(const TileQueue&) = delete;
-  TileQueue& operator=(const TileQueue&) = delete;
-
-  /// The next tile that nobody has taken; none at the end.
-  std::optional<PixelRectangle> take() {
-    const int tile = next_++;
-    if (tile >= tiling_.count()) return std::nullopt;
-    return tiling_.areaOf(tile);
-  }
-
- private:
-  const Tiling tiling_;
-  std::atomic<int> next_{0};
-};
+/// The next tile that nobody has taken; none at the end. Any thread may ask at any time.
+using NextTile = std::function<std::optional<PixelRectangle>()>;
 
 /// How much stack a thread needs that traces rays: enough for the deepest scene, and for each
 /// bounce that the options allow (measured: below 1 kB a bounce, 1.6 kB between solid textures,
@@ -57,12 +40,15 @@ inline std::size_t tracingStack(const RenderOptions& options) {
   return kBase + std::size_t(options.maxBounces) * kPerBounce;
 }
 
-/// Calls work(thread, queue) on at most `threads` >= 1 threads, 0 <= thread < threads, which have
-/// stack enough to trace rays; each is to work on the tiles that it takes from the one queue until
-/// there are no more. Throws what any of them throws.
+/// Calls work(next) on at most `threads` >= 1 threads, which have stack enough to trace rays; each
+/// is to work on the tiles that it takes until there are no more. Throws what any of them throws.
 inline void shareTiles(const Tiling& tiling, const RenderOptions& options, int threads,
-                       const std::function<void(int thread, TileQueue& queue)>& work) {
-  TileQueue queue(tiling);
-  runOnThreads(std::min(threads, tiling.count()), tracingStack(options),
-               [&](int thread) { work(thread, queue); });
+                       const std::function<void(const NextTile& next)>& work) {
+  std::atomic<int> taken{0};
+  const NextTile next = [&]() -> std::optional<PixelRectangle> {
+    const int tile = taken++;
+    if (tile >= tiling.count()) return std::nullopt;
+    return tiling.areaOf(tile);
+  };
+  runOnThreads(std::min(threads, tiling.count()), tracingStack(options), [&](int) { work(next); });
 }

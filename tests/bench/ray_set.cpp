@@ -8,7 +8,7 @@
 
 #include "camera/camera.h"
 #include "math/functions.h"
-#include "render/optics.h"
+#include "shading/optics.h"
 
 namespace bench {
 namespace {

@@ -1,5 +1,5 @@
 // Random numbers without a state.
-#include "math/random_bits.h"
+#include "math/functions.h"
 
 #include "check.h"
 

@@ -3,7 +3,6 @@
 
 #include <type_traits>
 
-#include "math/vec2.h"
 #include "random.h"
 #include "vectors.h"
 

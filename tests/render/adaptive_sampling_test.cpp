@@ -12,6 +12,7 @@ using sampling::PlainSampling;
 using sampling::renderColor;
 using sampling::renderSamples;
 using sampling::sampled;
+using sampling::samplerOf;
 using sampling::variedScene;
 using sampling::whiteShapes;
 
@@ -33,7 +34,7 @@ TEST("adaptive samples of a picture of one colour are the first ones, even with 
 TEST("adaptive samples with a tolerance that all exceed are all of them") {
   const SceneParser scene = variedScene();
   const Image all = renderSamples(scene, 9, 9, 64, adaptive(4, 64, -1));
-  const JitteredSampler sampler(4, 64);
+  const Sampler sampler = samplerOf(Pattern::adaptive, 4, 64);
   int wrong = 0;
   for (int j = 0; j < 9; ++j) {
     for (int i = 0; i < 9; ++i) {

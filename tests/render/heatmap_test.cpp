@@ -1,5 +1,5 @@
 // How many rays each pixel takes.
-#include "render/heatmap.h"
+#include "render/false_colors.h"
 
 #include <algorithm>
 #include <numeric>
@@ -81,7 +81,7 @@ TEST("all pixels together take as many rays as are counted for the picture") {
     RenderTargets targets;
     targets.color = &image;
     RayCounts rays;
-    render(scene, *scene.getGroup(), options, 1, targets, {{scene.getGroup(), &rays}});
+    render(scene, *scene.getGroup(), options, 1, targets, &rays);
     CHECK_EQUAL(std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)), rays.total());
   }
 }

@@ -1,5 +1,5 @@
 // Colours that tell materials apart.
-#include "render/material_colors.h"
+#include "render/false_colors.h"
 
 #include <set>
 

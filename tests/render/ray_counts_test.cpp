@@ -77,13 +77,9 @@ Counted render(const SceneParser& scene, const Object3D& geometry, int threads,
                const RenderOptions& options, int width = 40, int height = 30) {
   Counted counted;
   counted.image = Image(width, height);
-  std::vector<RayCounts> counts{std::size_t(threads)};
-  std::vector<WorkerView> views;
-  for (RayCounts& each : counts) views.push_back({&geometry, &each});
   RenderTargets targets;
   targets.color = &counted.image;
-  render(scene, geometry, options, threads, targets, views);
-  for (const RayCounts& each : counts) counted.rays.add(each);
+  render(scene, geometry, options, threads, targets, &counted.rays);
   return counted;
 }
 

@@ -5,6 +5,10 @@
 #include <vector>
 
 #include "check.h"
+#include "sampling.h"
+
+using sampling::Pattern;
+using sampling::samplerOf;
 
 namespace {
 
@@ -40,14 +44,14 @@ double chiSquare(const std::vector<int>& cells, int total) {
 TEST("numbers of samples are rounded up to a square, but not random ones") {
   const int squares[][2] = {{1, 1}, {2, 4}, {4, 4}, {5, 9}, {36, 36}, {37, 49}, {65536, 65536}};
   for (const auto& [wanted, given] : squares) {
-    CHECK_EQUAL(UniformSampler(wanted).getNumSamples(), given);
-    CHECK_EQUAL(JitteredSampler(wanted).getNumSamples(), given);
-    CHECK_EQUAL(RandomSampler(wanted).getNumSamples(), wanted);
+    CHECK_EQUAL(samplerOf(Pattern::uniform, wanted).getNumSamples(), given);
+    CHECK_EQUAL(samplerOf(Pattern::jittered, wanted).getNumSamples(), given);
+    CHECK_EQUAL(samplerOf(Pattern::random, wanted).getNumSamples(), wanted);
   }
 }
 
 TEST("uniform samples are the centres of the cells, in every pixel") {
-  const UniformSampler nine(9);
+  const Sampler nine = samplerOf(Pattern::uniform, 9);
   for (const auto& pixel : kPixels) {
     for (int n = 0; n < 9; ++n) {
       const Vec2d p = nine.getSamplePosition(pixel[0], pixel[1], n);
@@ -55,14 +59,14 @@ TEST("uniform samples are the centres of the cells, in every pixel") {
       CHECK_NEAR(p.y(), (n / 3 + 0.5) / 3, 1e-15);
     }
   }
-  const Vec2d centre = UniformSampler(1).getSamplePosition(4, 5, 0);
+  const Vec2d centre = samplerOf(Pattern::uniform, 1).getSamplePosition(4, 5, 0);
   CHECK(centre.x() == 0.5 && centre.y() == 0.5);
 }
 
 TEST("jittered samples lie one in each cell") {
   for (const int side : {1, 2, 3, 7, 16, 255, 256}) {
     for (const auto& pixel : kPixels) {
-      const JitteredSampler sampler(side * side);
+      const Sampler sampler = samplerOf(Pattern::jittered, side * side);
       CHECK(isOneEach(countInCells(sampler, pixel, side * side, side)));
     }
   }
@@ -72,7 +76,7 @@ TEST("jittered samples lie anywhere in their cells, evenly") {
   // 100 000 places within a cell, in 10 x 10 parts: chi-square with 99 degrees of freedom has the
   // mean 99 and the standard deviation sqrt(198) = 14.1.
   const int side = 4, pixels = 6250, parts = 10;
-  const JitteredSampler sampler(side * side);
+  const Sampler sampler = samplerOf(Pattern::jittered, side * side);
   std::vector<int> found(parts * parts);
   for (int i = 0; i < pixels; ++i) {
     for (int n = 0; n < side * side; ++n) {
@@ -87,7 +91,7 @@ TEST("jittered samples lie anywhere in their cells, evenly") {
 
 TEST("random samples are evenly spread, within a pixel and from pixel to pixel") {
   // 256 cells: chi-square has the mean 255 and the standard deviation sqrt(510) = 22.6.
-  const RandomSampler sampler(65536);
+  const Sampler sampler = samplerOf(Pattern::random, 65536);
   for (const auto& pixel : kPixels) {
     const std::vector<int> cells = countInCells(sampler, pixel, 65536, 16);
     CHECK_NEAR(chiSquare(cells, 65536), 255, 110);
@@ -109,8 +113,8 @@ TEST("random samples are evenly spread, within a pixel and from pixel to pixel")
 TEST("refined samples begin with jittered ones and are one in each cell at every step") {
   for (const int side : {1, 2, 3, 5}) {
     const int first = side * side, most = first * 256;
-    const JitteredSampler refined(first, most);
-    const JitteredSampler jittered(first);
+    const Sampler refined = samplerOf(Pattern::adaptive, first, most);
+    const Sampler jittered = samplerOf(Pattern::jittered, first);
     CHECK_EQUAL(refined.getNumFirst(), first);
     CHECK_EQUAL(refined.getNumSamples(), most);
     for (const auto& pixel : kPixels) {
@@ -126,9 +130,9 @@ TEST("refined samples begin with jittered ones and are one in each cell at every
 }
 
 TEST("refined numbers are rounded up to a square and to this times a power of 4") {
-  CHECK_EQUAL(JitteredSampler(5, 5).getNumFirst(), 9);
-  CHECK_EQUAL(JitteredSampler(5, 5).getNumSamples(), 9);
-  CHECK_EQUAL(JitteredSampler(5, 10).getNumSamples(), 36);
-  CHECK_EQUAL(JitteredSampler(4, 64).getNumSamples(), 64);
-  CHECK_EQUAL(JitteredSampler(4, 65).getNumSamples(), 256);
+  CHECK_EQUAL(samplerOf(Pattern::adaptive, 5, 5).getNumFirst(), 9);
+  CHECK_EQUAL(samplerOf(Pattern::adaptive, 5, 5).getNumSamples(), 9);
+  CHECK_EQUAL(samplerOf(Pattern::adaptive, 5, 10).getNumSamples(), 36);
+  CHECK_EQUAL(samplerOf(Pattern::adaptive, 4, 64).getNumSamples(), 64);
+  CHECK_EQUAL(samplerOf(Pattern::adaptive, 4, 65).getNumSamples(), 256);
 }

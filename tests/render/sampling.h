@@ -16,6 +16,14 @@ namespace sampling {
 using Pattern = SamplingOptions::Pattern;
 using FilterKind = SamplingOptions::FilterKind;
 
+inline Sampler samplerOf(Pattern pattern, int samples, int most = 1) {
+  SamplingOptions options;
+  options.pattern = pattern;
+  options.samples = samples;
+  options.maxSamples = most;
+  return Sampler(options);
+}
+
 /// A scene without the camera that scene_text::parse brings.
 inline SceneParser parseWhole(const std::string& text) {
   const std::string path = scene_text::write(text, ".txt");
@@ -109,7 +117,7 @@ class PlainSampling {
       : scene_(scene),
         options_(options),
         tracer_(scene, *scene.getGroup(), options),
-        sampler_(makeSampler(options.sampling)),
+        sampler_(options.sampling),
         filter_(options.sampling.filter, options.sampling.filterSize),
         width_(width),
         height_(height) {}
@@ -123,13 +131,13 @@ class PlainSampling {
 
   /// By the rule of adaptive sampling.
   int sampleCount(int i, int j) const {
-    int count = sampler_->getNumFirst();
+    int count = sampler_.getNumFirst();
     ColorRange around, own;
     for (int v = j - 1; v <= j + 1; ++v)
       for (int u = i - 1; u <= i + 1; ++u)
         for (int n = 0; n < count; ++n) around.add(sampleColor(u, v, n));
     if (!(around.width() > options_.sampling.tolerance)) return count;
-    for (int n = 0; count < sampler_->getNumSamples();) {
+    for (int n = 0; count < sampler_.getNumSamples();) {
       count *= 4;
       for (; n < count; ++n) own.add(sampleColor(i, j, n));
       if (!(own.width() > options_.sampling.tolerance)) break;
@@ -139,7 +147,7 @@ class PlainSampling {
 
  private:
   Vec3f sampleColor(int i, int j, int n) const {
-    const Vec2d offset = sampler_->getSamplePosition(i, j, n);
+    const Vec2d offset = sampler_.getSamplePosition(i, j, n);
     const double longer = std::max(width_, height_);
     Ray ray = scene_.getCamera()->generateRay(
         {(i + offset.x() - width_ / 2.0) / longer, (j + offset.y() - height_ / 2.0) / longer});
@@ -154,10 +162,10 @@ class PlainSampling {
     for (const Pixel at : pixelsInOrder({i - reach, j - reach, i + reach + 1, j + reach + 1})) {
       const int count = sampleCount(at.i, at.j);
       for (int n = 0; n < count; ++n) {
-        const Vec2d offset = sampler_->getSamplePosition(at.i, at.j, n);
+        const Vec2d offset = sampler_.getSamplePosition(at.i, at.j, n);
         const double weight =
             filter_.getWeight(at.i - i + (offset.x() - 0.5), at.j - j + (offset.y() - 0.5)) *
-            (sampler_->getNumSamples() / double(count));
+            (sampler_.getNumSamples() / double(count));
         sum += Vec3d(sampleColor(at.i, at.j, n)) * weight;
         weights += weight;
       }
@@ -168,7 +176,7 @@ class PlainSampling {
   const SceneParser& scene_;
   const RenderOptions options_;
   const RayTracer tracer_;
-  const std::unique_ptr<const Sampler> sampler_;
+  const Sampler sampler_;
   const Filter filter_;
   const int width_, height_;
 };

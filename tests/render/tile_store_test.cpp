@@ -3,7 +3,7 @@
 
 #include "check.h"
 #include "render/image_plane.h"
-#include "render/tile_hooks.h"
+#include "render/renderer.h"
 #include "sampling.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // Fresnel: against Snell's law and the reflection of the two polarisations, in long double.
-#include "shading/fresnel.h"
+#include "shading/optics.h"
 
 #include "random.h"
 #include "vectors.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "render/optics.h"
+#include "shading/optics.h"
 
 namespace bench {
 namespace {

@@ -1,8 +1,7 @@
 // mirrorDirection and transmittedDirection, in float and in double.
-#include "render/optics.h"
+#include "shading/optics.h"
 
 #include "random.h"
-#include "shading/fresnel.h"
 #include "vectors.h"
 
 TEST("a mirror keeps the part along the surface and turns the other round") {

@@ -7,7 +7,7 @@
 //   along   across * (c (g + c) - 1) / (c (g - c) + 1)
 // and the energy is the mean of their squares, since unpolarised light is half of each. A g^2 that
 // is not above 0 means that no ray goes in: total reflection.
-#include "shading/fresnel.h"
+#include "shading/optics.h"
 
 #include <algorithm>
 #include <cmath>
