@@ -1,6 +1,7 @@
 // The table of all arguments, from which come the parser, `-help`, the manual page and bash's
-// completion; and the readers of the words that follow an argument.
+// completion; what each argument does; and the readers of the words that follow an argument.
 #pragma once
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,22 +19,23 @@ struct Draft : Request {
   };
   std::optional<Region> region;  ///< -region
   std::optional<Band> band;      ///< -tile
-  std::optional<Region> pixel;   ///< -pixel; of 1 x 1
 };
+
+/// Throws UsageError with all the `pieces` in a row.
+template <class... Pieces>
+[[noreturn]] void failUsage(const Pieces&... pieces) {
+  std::ostringstream message;
+  (message << ... << pieces);
+  throw UsageError(message.str());
+}
 
 class ArgumentWords;
 
-struct ArgumentRow {
-  const char* group;      ///< heading under which it is listed
-  const char* name;       ///< without dashes
-  const char* otherName;  ///< a second spelling, or nullptr
-  /// The words that follow it, separated by single blanks; may be "". A last word that ends in
-  /// "..." may be repeated, a single one in brackets be left out.
-  const char* words;
-  const char* defaultWords;  ///< what holds when it is not given, or nullptr where nothing does
-  const char* help;          ///< see helpOf
+/// What an argument does.
+struct ArgumentAction {
+  const char* name;  ///< the argument's
   /// Enters the argument in `draft`; throws UsageError where its words are wrong. Called with as
-  /// many words as `words` allows.
+  /// many words as the argument takes.
   void (*apply)(const ArgumentWords& words, Draft& draft);
   /// What kind of run it belongs to.
   enum class Mode { rendering, comparing, merging, any };
@@ -42,15 +44,28 @@ struct ArgumentRow {
   const char* choices = "";
 };
 
+/// The action of the argument with this name, which is in the table.
+const ArgumentAction& actionOf(const std::string& name);
+
+/// An argument as the list of -help tells of it.
+struct ArgumentRow {
+  std::string group;      ///< heading under which it is listed
+  std::string name;       ///< without dashes
+  std::string otherName;  ///< a second spelling, or ""
+  /// The words that follow it, separated by single blanks; may be "". A last word that ends in
+  /// "..." may be repeated, a single one in brackets be left out.
+  std::string words;
+  /// What it does and what holds when it is not given: one sentence without a full stop, in one
+  /// line.
+  std::string help;
+  const ArgumentAction* action = nullptr;
+};
+
 /// All rows, those of one group together.
 const std::vector<ArgumentRow>& argumentTable();
 
 /// The row with this name or other name (without dashes), or nullptr.
 const ArgumentRow* findArgument(const std::string& name);
-
-/// What the argument does and what holds when it is not given: one sentence without a full stop, in
-/// one line.
-std::string helpOf(const ArgumentRow& row);
 
 /// How many words must follow the argument, and how many may.
 int leastWords(const ArgumentRow& row);
@@ -71,20 +86,10 @@ class ArgumentWords {
   int integer(std::size_t index, int least, int most) const;
   /// A number from `least` to `most`; `expected` says so in the message.
   double number(std::size_t index, double least, double most, const std::string& expected) const;
-  /// A number of at least 0, rounded once to double or float; beyond its range is a mistake.
-  /// `alternatives` names for the message what else the word might be, e.g. ", course or adaptive".
-  template <class Real>
-  Real atLeastZero(std::size_t index, const char* alternatives = "") const;
-  /// Whether the word looks like a number, perhaps one out of range.
-  bool isNumber(std::size_t index) const;
   /// Any finite number, which is called `what` in the message.
   double anyNumber(std::size_t index, const std::string& what) const;
-  /// True where the word is `yes`, false where it is `no`: the row's choices.
-  bool isFirstChoice(std::size_t index, std::string_view yes, std::string_view no) const;
   /// The name of a file: anything but "". "-" is standard input or output.
   const std::string& file(std::size_t index) const;
-  /// The same but "-".
-  const std::string& plainFile(std::size_t index) const;
 
   [[noreturn]] void fail(std::size_t index, const std::string& expected) const;
   /// The word is none of `choices`; the nearest of them is proposed.

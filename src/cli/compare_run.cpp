@@ -10,7 +10,6 @@
 #include "cli/compared_pair.h"
 #include "cli/outputs.h"
 #include "cli/program.h"
-#include "cli/render_run.h"
 #include "cli/runs.h"
 #include "image/output_file.h"
 #include "image/picture_file.h"

@@ -1,8 +1,7 @@
 // Inspection: what a run tells besides its pictures: how long it took and how many rays there were
-// (-stats), how many rays each pixel takes (-heatmap), which material has which colour
-// (-materials), and all that becomes of one ray (-pixel, -pixel_obj).
+// (-stats), how many rays each pixel takes (-heatmap), and all that becomes of one ray (-pixel,
+// -pixel_obj).
 #pragma once
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -12,22 +11,6 @@
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
 
-/// Seconds from one call of restart() to the next.
-class Stopwatch {
- public:
-  /// Seconds since the start, or since the last restart; begins anew.
-  double restart() {
-    const Clock::time_point now = Clock::now();
-    const std::chrono::duration<double> passed = now - start_;
-    start_ = now;
-    return passed.count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
-
 /// What -stats prints.
 struct Stats {
   std::string simd;  ///< the instruction set in use, "none" for the plain object tree
@@ -36,12 +19,10 @@ struct Stats {
   double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;
 
   RayCounts rays;
-  double pixels = 0;
-  RayTestCounts tests;
-  bool countsTests = false;  ///< whether what answered for the scene has filled `tests`
+  RayTestCounts tests;  ///< not filled where cells are drawn
 
-  /// A line `name: value` for each entry, in a fixed order, each with its end.
-  std::string text() const;
+  /// A line `name: value` for each entry, in a fixed order, each with its end; of this picture.
+  std::string text(const PictureRequest& picture) const;
 };
 
 /// The scene, where its objects stand in its file (filled where a pixel is traced), and what
@@ -52,9 +33,6 @@ struct InspectedScene {
   const Object3D& geometry;
 };
 
-/// True where the scene is to be traced for -heatmap or -pixel.
-bool wantsInspection(const ResultRequest& results);
-
 /// Draws the heat map in its output and stores its scale there, where `outputs` has it.
 void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,
                  const RunRequest& run, std::vector<Output>& outputs);
@@ -64,7 +42,3 @@ void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,
 /// printed last: the pixel's colour in numbers and in bytes, or "" where no pixel is asked for.
 std::string inspectPixel(const InspectedScene& inspected, const RenderRequest& render,
                          std::vector<Output>& outputs);
-
-/// What the pictures among `outputs` mean, in lines: the materials that -materials shows and the
-/// scale of -heatmap; "" where neither is there.
-std::string legendOf(const SceneParser& scene, const std::vector<Output>& outputs);

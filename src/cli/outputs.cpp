@@ -54,12 +54,9 @@ struct NamedFile {
 };
 
 std::vector<NamedFile> namedOutputs(const ResultRequest& results, const std::string& checkpoint) {
-  static constexpr const char* kArguments[] = {
-      "-output",        "-depth",     "-normals", "-render_samples",
-      "-render_filter", "-materials", "-heatmap", "-pixel_obj"};  // in the order of Kind
   std::vector<NamedFile> named;
   for (const OutputRequest& output : results.outputs) {
-    named.push_back({kArguments[int(output.kind)], output.file});
+    named.push_back({output.argument(), output.file});
   }
   if (!checkpoint.empty()) named.push_back({"-checkpoint", checkpoint});
   return named;
@@ -84,30 +81,24 @@ bool succeeds(const Output& output, const Work& work) {
   return false;
 }
 
-bool wantsFloats(const Output& output) {
-  const bool isTraced = output.kind <= Kind::normals;
-  return isTraced && formatOf(output.file) == PictureFormat::pfm;
-}
+/// What the renderer fills for each kind of output, in the order of Kind; null where it does not.
+struct Target {
+  Image* RenderTargets::*image;
+  FloatImage* RenderTargets::*exact;
+};
+constexpr Target kTargets[] = {
+    {&RenderTargets::color, &RenderTargets::exactColor},
+    {&RenderTargets::depth, &RenderTargets::exactDepth},
+    {&RenderTargets::normals, &RenderTargets::exactNormals},
+    {&RenderTargets::samples, nullptr},
+    {nullptr, nullptr},
+    {&RenderTargets::materials, nullptr},
+    {nullptr, nullptr},
+    {nullptr, nullptr},
+};
 
-void setTarget(Output& output, RenderTargets& targets) {
-  FloatImage* const exact = output.exact.Width() > 0 ? &output.exact : nullptr;
-  if (output.kind == Kind::color) {
-    targets.color = &output.image;
-    targets.exactColor = exact;
-  } else if (output.kind == Kind::depth) {
-    targets.depth = &output.image;
-    targets.exactDepth = exact;
-    targets.depthMin = output.depthMin;
-    targets.depthMax = output.depthMax;
-  } else if (output.kind == Kind::normals) {
-    targets.normals = &output.image;
-    targets.exactNormals = exact;
-  } else if (output.kind == Kind::samples) {
-    targets.samples = &output.image;
-    targets.samplesZoom = output.zoom;
-  } else if (output.kind == Kind::materials) {
-    targets.materials = &output.image;
-  }
+bool wantsFloats(const Output& output) {
+  return kTargets[int(output.kind)].exact && formatOf(output.file) == PictureFormat::pfm;
 }
 
 void write(const Output& output, int threads) {
@@ -186,30 +177,31 @@ void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
   }
 }
 
-RenderTargets targetsOf(const RenderRequest& render, std::vector<Output>& outputs,
-                        Image& unwritten) {
-  const PictureRequest& picture = render.picture;
-  const ResultRequest& results = render.results;
+RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outputs) {
   RenderTargets targets;
   targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
-  for (Output& output : outputs) setTarget(output, targets);
-  const auto isPicture = [](const Output& output) { return output.kind != Kind::rays; };
-  const bool hasPicture = std::any_of(outputs.begin(), outputs.end(), isPicture);
-  if (!wantsRays(targets) && (results.stats || (results.preview && !hasPicture))) {
-    unwritten = Image(picture.area.width(), picture.area.height());
-    targets.color = &unwritten;
+  for (Output& output : outputs) {
+    const Target& target = kTargets[int(output.kind)];
+    if (target.image) targets.*target.image = &output.image;
+    if (wantsFloats(output)) targets.*target.exact = &output.exact;
+    if (output.kind == Kind::samples) targets.samplesZoom = output.zoom;
+    if (output.kind != Kind::depth) continue;
+    targets.depthMin = output.depthMin;
+    targets.depthMax = output.depthMax;
   }
   return targets;
 }
 
-bool wantsRays(const RenderTargets& targets) {
-  return targets.color || targets.depth || targets.normals || targets.samples || targets.materials;
+bool wantsRays(const std::vector<Output>& outputs) {
+  const auto isTraced = [](const Output& output) { return kTargets[int(output.kind)].image; };
+  return std::any_of(outputs.begin(), outputs.end(), isTraced);
 }
 
 std::size_t writeAll(const std::vector<Output>& outputs, int threads) {
   std::size_t written = 0;
   for (const Output& output : outputs) {
-    written += output.isWritable && succeeds(output, [&] { write(output, threads); });
+    if (output.file.empty() || !output.isWritable) continue;
+    written += succeeds(output, [&] { write(output, threads); });
   }
   return written;
 }

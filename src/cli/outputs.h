@@ -23,6 +23,7 @@ void checkFiles(const RenderRequest& render, const std::string& checkpoint,
 /// Throws UsageError where the merged picture would replace one of its parts.
 void checkMergedFiles(const MergeRequest& merge);
 
+/// An output and what is in it. One without a file is traced and not written.
 struct Output : OutputRequest {
   explicit Output(const OutputRequest& request) : OutputRequest(request) {}
 
@@ -46,14 +47,12 @@ std::size_t markUnwritable(std::vector<Output>& outputs);
 /// that of the filter. Throws std::bad_alloc where memory is short.
 void makeImages(std::vector<Output>& outputs, const PictureRequest& picture);
 
-/// Where the pictures go that the renderer fills. Where there is none and -stats needs one, or
-/// -preview has nothing else to show, it is `unwritten`, which then gets an image of its size. What
-/// is returned points into both.
-RenderTargets targetsOf(const RenderRequest& render, std::vector<Output>& outputs,
-                        Image& unwritten);
+/// Where the pictures go that the renderer fills. What is returned points into `outputs`, which
+/// have their images.
+RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outputs);
 
 /// False where the renderer has nothing to do.
-bool wantsRays(const RenderTargets& targets);
+bool wantsRays(const std::vector<Output>& outputs);
 
 /// Writes every output that is not marked with at most `threads` threads, complaining of each that
 /// fails, and returns how many were written.

@@ -15,9 +15,8 @@
 
 #include "cli/arguments.h"
 #include "cli/outputs.h"
-#include "cli/render_run.h"
 #include "cli/runs.h"
-#include "cli/scene_input.h"
+#include "cli/scene_setup.h"
 #include "image/output_file.h"
 #include "system/memory.h"
 #include "system/worker_threads.h"

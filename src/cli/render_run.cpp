@@ -3,11 +3,11 @@
 // The outputs get their images before anything is traced, so that memory is short at the start or
 // not at all. The renderer fills most of them in one pass over the picture, each eye ray being cast
 // once; the heat map and the rays of one pixel are traced besides, after it.
-#include "cli/render_run.h"
-
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "cli/checkpoint.h"
 #include "cli/fingerprint.h"
@@ -15,25 +15,34 @@
 #include "cli/part_file.h"
 #include "cli/program.h"
 #include "cli/run_display.h"
-#include "cli/scene_geometry.h"
-#include "cli/scene_input.h"
+#include "cli/runs.h"
+#include "cli/scene_setup.h"
+#include "render/false_colors.h"
 
 namespace {
 
-/// Renders, and enters in `stats` what was counted.
-void renderCounted(const SceneParser& scene, const SceneGeometry& geometry,
-                   const PictureRequest& picture, const RenderTargets& targets, Stats& stats) {
-  render(scene, geometry.object(), picture.render, stats.threads, targets, &stats.rays);
-  stats.pixels = double(picture.area.pixelCount());
-  stats.countsTests = picture.acceleration.cellPicture == Acceleration::CellPicture::none;
-  stats.tests = geometry.tallied();
-}
+using Kind = OutputRequest::Kind;
 
-/// The picture that -preview shows where the renderer has filled none; null where there is none.
-const Image* untracedPicture(std::vector<Output>& outputs) {
-  const Output* shown = findOutput(outputs, OutputRequest::Kind::heatmap);
-  if (!shown) shown = findOutput(outputs, OutputRequest::Kind::filter);
-  return shown ? &shown->image : nullptr;
+/// Seconds from one call of restart() to the next.
+class Stopwatch {
+ public:
+  /// Seconds since the start, or since the last restart; begins anew.
+  double restart() {
+    const auto begin = std::exchange(start_, std::chrono::steady_clock::now());
+    return std::chrono::duration<double>(start_ - begin).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What -preview shows: the first of these pictures that is there, or null.
+const Output* previewOf(std::vector<Output>& outputs) {
+  for (const Kind kind : {Kind::color, Kind::normals, Kind::depth, Kind::materials, Kind::samples,
+                          Kind::heatmap, Kind::filter}) {
+    if (const Output* const found = findOutput(outputs, kind)) return found;
+  }
+  return nullptr;
 }
 
 /// One run, and what its steps hand on.
@@ -62,9 +71,9 @@ class RenderRun {
   int write();
 
  private:
-  void setPlaces();
   void openCheckpointFor(RenderTargets& targets);
-  void traceRays(const RenderTargets& targets, RunDisplay& display);
+  void traceRays(RenderTargets targets, RunDisplay& display);
+  void inspect(const InspectedScene& inspected, const MaterialColors& materialColors);
 
   const RenderRequest& request_;
   const RunRequest& run_;
@@ -73,7 +82,6 @@ class RenderRun {
   ReadNotes notes_;
   SceneParser scene_;
   std::vector<Output> outputs_;
-  std::optional<MaterialColors> materialColors_;
   std::unique_ptr<Checkpoint> checkpoint_;
   std::string lastLines_;  // to be printed last
   int status_ = kDone;     // kOutputFailed where the preview could not be shown
@@ -92,19 +100,14 @@ bool RenderRun::prepareOutputs() {
     const auto isLost = [](const Output& output) { return !output.isWritable; };
     outputs_.erase(std::remove_if(outputs_.begin(), outputs_.end(), isLost), outputs_.end());
   }
-  setPlaces();
-  return true;
-}
-
-/// Tells the outputs, where they are parts, which picture they belong to.
-void RenderRun::setPlaces() {
   const PictureRequest& picture = request_.picture;
-  if (!picture.isPart) return;
-  for (Output& output : outputs_) {
+  if (!picture.isPart) return true;
+  for (Output& output : outputs_) {  // each tells which picture it belongs to
     const PartId id =
         partIdOf(output, request_, notes_.digest, scene_.getMeshFiles(), run_.threads);
     output.place = {picture.area.left, picture.height - picture.area.top, textOf(id)};
   }
+  return true;
 }
 
 void RenderRun::openCheckpointFor(RenderTargets& targets) {
@@ -116,45 +119,57 @@ void RenderRun::openCheckpointFor(RenderTargets& targets) {
 
 void RenderRun::trace() {
   const PictureRequest& picture = request_.picture;
+  const ResultRequest& results = request_.results;
   const std::string size = std::to_string(picture.area.width()) + " x " +
                            std::to_string(picture.area.height()) + " pixels";
-  Image unwritten;
+  if (!wantsRays(outputs_) && (results.stats || (results.preview && !previewOf(outputs_)))) {
+    outputs_.emplace_back(OutputRequest());  // colours, which are not written
+  }
   RenderTargets targets = withMemory("for images of " + size, [&] {
     makeImages(outputs_, picture);
-    return targetsOf(request_, outputs_, unwritten);
+    return targetsOf(picture, outputs_);
   });
-  if (targets.materials) targets.materialColors = &materialColors_.emplace(scene_);
-  const bool isTraced = wantsRays(targets);
+  const bool isTraced = wantsRays(outputs_);
   if (isTraced && !run_.checkpoint.empty()) openCheckpointFor(targets);
-  RunDisplay display(request_.results.preview, run_.progress, targets);
-  if (display.isWanted()) targets.listener = &display;
-  if (isTraced || wantsInspection(request_.results)) {
+  const Output* const shown = results.preview ? previewOf(outputs_) : nullptr;
+  RunDisplay display(run_.progress, shown && isTraced ? &shown->image : nullptr,
+                     shown ? shown->zoom : 1);
+  targets.listener = &display;
+  if (isTraced || results.pixel || results.find(Kind::heatmap)) {
     withMemory("to render " + size, [&] { traceRays(targets, display); });
   }
   if (checkpoint_) checkpoint_->stop();
-  const Image* const untraced = isTraced ? nullptr : untracedPicture(outputs_);
-  if (request_.results.preview && untraced) status_ = print(pictureText(*untraced));
+  if (shown && !isTraced) status_ = print(pictureText(shown->image));
 }
 
-void RenderRun::traceRays(const RenderTargets& targets, RunDisplay& display) {
+void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   const PictureRequest& picture = request_.picture;
-  stats_.threads = run_.threads;
+  const bool counts = request_.results.stats;
   watch_.restart();
-  const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, run_.threads,
-                               request_.results.stats);
+  const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, run_.threads, counts);
   stats_.simd = geometry.simd();
   stats_.tree = geometry.description();
+  stats_.threads = run_.threads;
   stats_.buildSeconds = watch_.restart();
-  if (request_.results.stats) {
-    renderCounted(scene_, geometry, picture, targets, stats_);
-  } else if (wantsRays(targets)) {
-    render(scene_, geometry.object(), picture.render, run_.threads, targets);
+  const MaterialColors materialColors(scene_);
+  targets.materialColors = &materialColors;
+  if (wantsRays(outputs_)) {
+    render(scene_, geometry.object(), picture.render, run_.threads, targets,
+           counts ? &stats_.rays : nullptr);
   }
   stats_.traceSeconds = watch_.restart();
+  stats_.tests = geometry.tallied();
   display.finish();
   status_ = print(display.lastPicture());
-  const InspectedScene inspected = {scene_, notes_.places, geometry.object()};
-  drawHeatmap(inspected, picture, run_, outputs_);
+  inspect({scene_, notes_.places, geometry.object()}, materialColors);
+}
+
+/// What is told of the picture besides: rays are traced once more for the heat map and the pixel.
+void RenderRun::inspect(const InspectedScene& inspected, const MaterialColors& materialColors) {
+  if (Output* const materials = findOutput(outputs_, Kind::materials)) {
+    materials->text = materialColors.legend(materials->image);
+  }
+  drawHeatmap(inspected, request_.picture, run_, outputs_);
   lastLines_ = inspectPixel(inspected, request_, outputs_);
 }
 
@@ -163,8 +178,12 @@ int RenderRun::write() {
   const bool areAllWritten = writeAll(outputs_, run_.threads) == request_.results.outputs.size();
   if (checkpoint_ && areAllWritten) checkpoint_->remove();
   stats_.writeSeconds = watch_.restart();
-  const std::string statsText = request_.results.stats ? stats_.text() : "";
-  const int printed = print(legendOf(scene_, outputs_) + statsText + lastLines_);
+  std::string text;
+  for (const Output& output : outputs_) {
+    if (output.kind != Kind::rays) text += output.text;
+  }
+  if (request_.results.stats) text += stats_.text(request_.picture);
+  const int printed = print(text + lastLines_);
   return areAllWritten ? std::max(printed, status_) : kOutputFailed;
 }
 

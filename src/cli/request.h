@@ -69,12 +69,20 @@ struct OutputRequest {
   double depthMin = 0;  ///< of `depth`: the distance that is drawn white
   double depthMax = 0;  ///< likewise black; never equal to depthMin
   int zoom = 1;  ///< of `samples` and `filter`: their pictures' sides are at most kMaxImageSide
+
+  /// The argument that asks for it, with its dash.
+  const char* argument() const;
+};
+
+/// A pixel as users count: from the picture's top left corner, (0, 0).
+struct PictureSpot {
+  int x = 0, y = 0;
 };
 
 /// What becomes of the picture.
 struct ResultRequest {
   std::vector<OutputRequest> outputs;  ///< at most one of a kind, in the order of Kind
-  std::optional<Pixel> pixel;          ///< whose rays are printed; from the lower left corner
+  std::optional<PictureSpot> pixel;    ///< whose rays are printed
   bool preview = false;                ///< show the picture on standard output
   bool stats = false;                  ///< print what was used and how long it took
 

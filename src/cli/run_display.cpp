@@ -15,13 +15,12 @@
 #include <cstdlib>
 
 #include "image/output_file.h"
-#include "render/image_plane.h"
 #include "scene/number_reader.h"
 
 namespace {
 
 /// Seconds between two updates: never more than ten in a second, the last one included.
-constexpr double kPause = 0.125;
+constexpr std::chrono::milliseconds kPause(125);
 
 constexpr const char* kUpperHalf = "\xe2\x96\x80";  // U+2580
 constexpr int kFreeLines = 2;
@@ -31,6 +30,16 @@ int fromEnvironment(const char* name, int otherwise) {
   const char* const word = std::getenv(name);
   int value = 0;
   return word && readInt(word, value) && value > 0 ? value : otherwise;
+}
+
+/// The size of the window that standard output is; where it is none, what COLUMNS and LINES say;
+/// 80 x 24 where they do not.
+TerminalSize terminalSize() {
+  winsize size = {};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+    return {size.ws_col, size.ws_row};
+  }
+  return {fromEnvironment("COLUMNS", 80), fromEnvironment("LINES", 24)};
 }
 
 std::string number(const char* format, double value) {
@@ -51,31 +60,12 @@ std::string rate(double perSecond) {
   return perSecond < 1e6 ? number("%.1f k", perSecond / 1e3) : number("%.2f M", perSecond / 1e6);
 }
 
-bool wantsProgress(RunRequest::Progress progress) {
-  if (progress == RunRequest::Progress::automatic) return isatty(STDERR_FILENO) == 1;
-  return progress == RunRequest::Progress::on;
-}
-
-const Image* shownOf(const RenderTargets& targets) {
-  for (const Image* image : {targets.color, targets.normals, targets.depth, targets.materials})
-    if (image) return image;
-  return targets.samples;
-}
-
 /// The cursor goes up so many lines.
 std::string linesUp(int lines) {
   return lines > 0 ? "\033[" + std::to_string(lines) + "A" : std::string();
 }
 
 }  // namespace
-
-TerminalSize terminalSize(int terminal) {
-  winsize size = {};
-  if (ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
-    return {size.ws_col, size.ws_row};
-  }
-  return {fromEnvironment("COLUMNS", 80), fromEnvironment("LINES", 24)};
-}
 
 TerminalPicture::TerminalPicture(int width, int height, const TerminalSize& terminal)
     : width_(width), height_(height) {
@@ -102,29 +92,30 @@ void TerminalPicture::add(const Image& image, int left, int bottom, int right, i
   }
 }
 
-std::string TerminalPicture::color(int kind, const Cell& cell) {
-  const auto mean = [&](double sum) {
-    return std::to_string(cell.pixels > 0 ? std::lround(sum / cell.pixels) : 0);
-  };
-  return "\033[" + std::to_string(kind) + ";2;" + mean(cell.red) + ";" + mean(cell.green) + ";" +
-         mean(cell.blue) + "m";
+/// The sequence for the colour of a cell: `kind` is 38 for what is drawn, 48 for what is behind it.
+/// Nothing below the last row.
+std::string TerminalPicture::colorCode(int kind, int column, int row) const {
+  if (row == rows_) return "";
+  const Cell& cell = cells_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
+  std::string text = "\033[" + std::to_string(kind) + ";2";
+  for (const double sum : {cell.red, cell.green, cell.blue}) {
+    text += ";" + std::to_string(cell.pixels > 0 ? std::lround(sum / cell.pixels) : 0);
+  }
+  return text + "m";
 }
 
 /// A colour is named only where it is another than the last one.
 std::string TerminalPicture::text() const {
   std::string text;
   for (int row = 0; row < rows_; row += 2) {
-    std::string lastUpper, lastLower;
+    std::string last[2];
     for (int column = 0; column < columns_; ++column) {
-      const std::size_t at = std::size_t(row) * std::size_t(columns_) + std::size_t(column);
-      const std::string upper = color(38, cells_[at]);
-      const bool hasLower = row + 1 < rows_;
-      const std::string lower = hasLower ? color(48, cells_[at + std::size_t(columns_)]) : "";
-      if (upper != lastUpper) text += upper;
-      if (lower != lastLower) text += lower;
+      for (const int lower : {0, 1}) {
+        const std::string color = colorCode(lower ? 48 : 38, column, row + lower);
+        if (color != last[lower]) text += color;
+        last[lower] = color;
+      }
       text += kUpperHalf;
-      lastUpper = upper;
-      lastLower = lower;
     }
     text += "\033[0m\n";
   }
@@ -132,7 +123,7 @@ std::string TerminalPicture::text() const {
 }
 
 std::string pictureText(const Image& image) {
-  TerminalPicture picture(image.Width(), image.Height(), terminalSize(STDOUT_FILENO));
+  TerminalPicture picture(image.Width(), image.Height(), terminalSize());
   picture.add(image, 0, 0, image.Width(), image.Height());
   return picture.text();
 }
@@ -146,12 +137,15 @@ std::string progressText(double rays, double allRays, double seconds) {
   return text + (done > 0 ? duration(seconds / done * (1 - done)) : "some time") + " left";
 }
 
-RunDisplay::RunDisplay(bool preview, RunRequest::Progress progress, const RenderTargets& targets)
-    : showsProgress_(wantsProgress(progress)),
-      image_(preview ? shownOf(targets) : nullptr),
-      isPictureLive_(image_ && isatty(STDOUT_FILENO) == 1),
-      zoom_(image_ && image_ == targets.samples ? targets.samplesZoom : 1) {
-  if (image_) picture_.emplace(image_->Width(), image_->Height(), terminalSize(STDOUT_FILENO));
+RunDisplay::RunDisplay(RunRequest::Progress progress, const Image* preview, int zoom)
+    : showsProgress_(progress == RunRequest::Progress::automatic
+                         ? isatty(STDERR_FILENO) == 1
+                         : progress == RunRequest::Progress::on),
+      image_(preview),
+      zoom_(zoom) {
+  if (image_ && isatty(STDOUT_FILENO) == 1) {
+    picture_.emplace(image_->Width(), image_->Height(), terminalSize());
+  }
 }
 
 RunDisplay::~RunDisplay() {
@@ -163,26 +157,22 @@ RunDisplay::~RunDisplay() {
 void RunDisplay::begins(double eyeRays) {
   allRays_ = eyeRays;
   start_ = Clock::now();
-  nextTime_ = kPause;
-}
-
-double RunDisplay::secondsPassed() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
+  nextTime_ = start_ + kPause;
 }
 
 /// Each thread adds the pixels that it has just set itself: others may be about to change theirs.
 void RunDisplay::tileIsDone(const PixelRectangle& area, double eyeRays) {
   const std::lock_guard<std::mutex> lock(mutex_);
   rays_ += eyeRays;
-  if (isPictureLive_) {
+  if (picture_) {
     picture_->add(*image_, area.left * zoom_, area.bottom * zoom_, area.right * zoom_,
                   area.top * zoom_);
   }
-  const double seconds = secondsPassed();
-  if (seconds < nextTime_) return;
-  nextTime_ = seconds + kPause;
-  if (isPictureLive_) drawPicture();
-  if (rays_ < allRays_) drawProgress(rays_);  // the last one comes by finish()
+  const Clock::time_point now = Clock::now();
+  if (now < nextTime_) return;
+  nextTime_ = now + kPause;
+  if (picture_) drawPicture();
+  if (rays_ < allRays_) drawProgress();  // the last one comes by finish()
 }
 
 /// Begins below the last one, in the line of progress, and ends there again.
@@ -193,27 +183,28 @@ void RunDisplay::drawPicture() {
   std::fflush(stdout);
 }
 
-void RunDisplay::drawProgress(double rays) {
+void RunDisplay::drawProgress() {
   if (!showsProgress_) return;
-  std::string text = progressText(rays, allRays_, secondsPassed());
+  const std::chrono::duration<double> passed = Clock::now() - start_;
+  std::string text = progressText(rays_, allRays_, passed.count());
   const std::size_t length = text.size();
-  if (length < lengthDrawn_) text.append(lengthDrawn_ - length, ' ');
+  text.resize(std::max(length, lengthDrawn_), ' ');
   lengthDrawn_ = length;
   setLineOpen(isProgressOpen_ = true);
-  text.insert(0, "\rraytracer: ");
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fprintf(stderr, "\rraytracer: %s", text.c_str());
   std::fflush(stderr);
 }
 
 void RunDisplay::finish() {
   if (allRays_ == 0 || !showsProgress_) return;
-  drawProgress(allRays_);
+  rays_ = allRays_;
+  drawProgress();
   std::fputc('\n', stderr);
   setLineOpen(isProgressOpen_ = false);
 }
 
 std::string RunDisplay::lastPicture() const {
-  if (!picture_) return "";
+  if (!image_) return "";
   if (linesDrawn_ == 0) return pictureText(*image_);
   // The line of progress, where it is shown on the same terminal, has been ended.
   const int above = linesDrawn_ + int(showsProgress_ && isatty(STDERR_FILENO) == 1);

@@ -9,16 +9,13 @@
 
 #include "cli/request.h"
 #include "image/image.h"
+#include "render/image_plane.h"
 #include "render/renderer.h"
 
 /// Columns and lines of a terminal.
 struct TerminalSize {
   int columns, lines;
 };
-
-/// The size of the window that file descriptor `terminal` is; where it is none, what COLUMNS and
-/// LINES say; 80 x 24 where they do not.
-TerminalSize terminalSize(int terminal);
 
 /// A picture in coloured characters, each of which shows two cells one above the other: the upper
 /// half block U+2580 in the colour of the upper one, before that of the lower one.
@@ -36,11 +33,11 @@ class TerminalPicture {
   std::string text() const;
 
  private:
+  /// The sum of a cell's pixels, and how many they are.
   struct Cell {
     double red = 0, green = 0, blue = 0, pixels = 0;
   };
-  /// The sequence for 24-bit colour: `kind` is 38 for what is drawn, 48 for what is behind it.
-  static std::string color(int kind, const Cell& cell);
+  std::string colorCode(int kind, int column, int row) const;
 
   int width_, height_, columns_, rows_;
   std::vector<Cell> cells_;  // row by row from the top
@@ -54,17 +51,14 @@ std::string progressText(double rays, double allRays, double seconds);
 
 class RunDisplay : public TileListener {
  public:
-  /// Where `preview`, shows one of the pictures in `targets`: the colours where they are wanted,
-  /// else normals, depth, materials or samples; none where there are none. The images are not
-  /// owned.
-  RunDisplay(bool preview, RunRequest::Progress progress, const RenderTargets& targets);
+  /// Shows `preview`, unless it is null, which is not owned: a picture of `zoom` pixels each way
+  /// for each that tiles have.
+  explicit RunDisplay(RunRequest::Progress progress, const Image* preview = nullptr, int zoom = 1);
   /// Ends the line of progress where one is open.
-  ~RunDisplay();
+  ~RunDisplay() override;
   RunDisplay(const RunDisplay&) = delete;
   RunDisplay& operator=(const RunDisplay&) = delete;
 
-  /// False where nobody would see anything.
-  bool isWanted() const { return showsProgress_ || picture_; }
   void begins(double eyeRays) override;
   void tileIsDone(const PixelRectangle& area, double eyeRays) override;
   /// Ends the line of progress; once, when all is traced. Nothing happens where nothing began.
@@ -75,19 +69,17 @@ class RunDisplay : public TileListener {
  private:
   using Clock = std::chrono::steady_clock;
 
-  double secondsPassed() const;
   void drawPicture();
-  void drawProgress(double rays);
+  void drawProgress();
 
   const bool showsProgress_;
-  const Image* const image_;  // what is shown; null where nothing is
-  const bool isPictureLive_;  // it is shown as it grows
-  const int zoom_;            // image pixels for each of a tile's
-  std::optional<TerminalPicture> picture_;
-  int linesDrawn_ = 0;           // of the picture
-  std::size_t lengthDrawn_ = 0;  // of the line of progress
-  bool isProgressOpen_ = false;  // that line has no end yet
-  Clock::time_point start_;
-  double allRays_ = 0, rays_ = 0, nextTime_ = 0;
+  const Image* const image_;                // what is shown; null where nothing is
+  const int zoom_;                          // image pixels for each of a tile's
+  std::optional<TerminalPicture> picture_;  // where it is shown as it grows
+  int linesDrawn_ = 0;                      // of the picture
+  std::size_t lengthDrawn_ = 0;             // of the line of progress
+  bool isProgressOpen_ = false;             // that line has no end yet
+  Clock::time_point start_, nextTime_;      // of the tracing, and when the next update is due
+  double allRays_ = 0, rays_ = 0;
   std::mutex mutex_;  // guards all that changes while tiles are traced
 };

@@ -1,7 +1,17 @@
-// The runs of the program that read pictures in place of a scene. Each says what is wrong and
-// returns the exit status of the program.
+// The runs of the program. Each says what is wrong and returns the exit status of the program.
 #pragma once
+#include <vector>
+
+#include "cli/outputs.h"
 #include "cli/request.h"
+
+/// Reads the scene, renders and writes the outputs that are wanted, prints what they ask for,
+/// and returns the exit status. Throws UsageError, InputError, std::runtime_error.
+int renderScene(const RenderRequest& request, const RunRequest& run);
+
+/// Reads the scene and renders the outputs that are wanted, without writing them. Prints the
+/// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
+std::vector<Output> renderPictures(const RenderRequest& request, const RunRequest& run);
 
 /// Puts the parts together and writes the whole picture in the format of its file's ending.
 /// Returns kDone; or, after complaining of each mistake, kSceneAtFault where a part cannot be read,

@@ -1,9 +1,10 @@
-// The texts that are made from the table of arguments: the lists of the help, the manual page in
-// the macros of man(7), and the script with which bash completes a command line.
+// The texts that are made from the table of arguments and the topics of help: the lists of the
+// help, the manual page in the macros of man(7), and the script with which bash completes a command
+// line.
 #include <algorithm>
 #include <cctype>
 #include <sstream>
-#include <vector>
+#include <utility>
 
 #include "cli/arguments.h"
 #include "cli/help_topics.h"
@@ -65,67 +66,27 @@ raytracer \-input scene.txt \-output out.tga \-bounces 5 \-weight 0.01
 raytracer \-input scene.txt \-check
 .EE
 )";
-constexpr std::size_t kTextColumn = 25;   // where the text about an argument begins
+constexpr std::size_t kTextColumn = 25;   // where the text about a group begins
 constexpr std::size_t kTopicColumn = 14;  // likewise about a topic
 constexpr std::size_t kWidth = 80;
-
-/// Appends `text` to `list`, whose last line has `column` columns, broken at blanks so that every
-/// line starts at kTextColumn and ends by kWidth.
-void appendWrapped(std::string& list, std::size_t column, const std::string& text) {
-  if (column + 1 > kTextColumn) {
-    list += '\n';
-    column = 0;
-  }
-  list.append(kTextColumn - column, ' ');
-  std::size_t start = 0;
-  while (text.size() - start > kWidth - kTextColumn) {
-    const std::size_t end = text.rfind(' ', start + kWidth - kTextColumn);
-    list += text.substr(start, end - start) + "\n" + std::string(kTextColumn, ' ');
-    start = end + 1;
-  }
-  list += text.substr(start) + "\n";
-}
-
-std::string heading(const ArgumentRow& row) {
-  const std::string words = *row.words ? std::string(" ") + row.words : "";
-  std::string text = std::string("  -") + row.name + words;
-  if (row.otherName) text += std::string(", -") + row.otherName + words;
-  return text;
-}
 
 /// `text` so that troff shows it letter by letter: a minus sign stays one, and no line begins with
 /// a control character.
 std::string forTroff(const std::string& text) {
-  std::string result;
+  constexpr std::string_view kSpecial = "-\\'^~";
+  constexpr const char* kEscapes[] = {"\\-", "\\e", "\\(aq", "\\(ha", "\\(ti"};
+  std::string result = !text.empty() && text[0] == '.' ? "\\&" : "";
   for (const char c : text) {
-    if (c == '-') {
-      result += "\\-";
-    } else if (c == '\\') {
-      result += "\\e";
-    } else if (c == '\'') {
-      result += "\\(aq";
-    } else if (c == '^') {
-      result += "\\(ha";
-    } else if (c == '~') {
-      result += "\\(ti";
-    } else {
-      result += c;
-    }
+    const std::size_t special = kSpecial.find(c);
+    result += special < kSpecial.size() ? kEscapes[special] : std::string(1, c);
   }
-  return !text.empty() && text[0] == '.' ? "\\&" + result : result;
+  return result;
 }
 
 /// An argument in bold and its words in italics.
-std::string spelling(const char* name, const ArgumentRow& row) {
-  const std::string words = *row.words ? " \\fI" + forTroff(row.words) + "\\fR" : "";
+std::string spelling(const std::string& name, const ArgumentRow& row) {
+  const std::string words = row.words.empty() ? "" : " \\fI" + forTroff(row.words) + "\\fR";
   return "\\fB\\-" + forTroff(name) + "\\fR" + words;
-}
-
-std::string entry(const ArgumentRow& row) {
-  std::string text = ".TP\n" + spelling(row.name, row);
-  if (row.otherName) text += ", " + spelling(row.otherName, row);
-  text += "\n" + forTroff(helpOf(row));
-  return text + ".\n";
 }
 
 std::string entries() {
@@ -133,7 +94,9 @@ std::string entries() {
   for (const ArgumentRow& row : argumentTable()) {
     if (group != row.group) text += ".SS " + forTroff(row.group) + "\n";
     group = row.group;
-    text += entry(row);
+    text += ".TP\n" + spelling(row.name, row);
+    if (!row.otherName.empty()) text += ", " + spelling(row.otherName, row);
+    text += "\n" + forTroff(row.help) + ".\n";
   }
   return text;
 }
@@ -145,31 +108,25 @@ bool isHeading(const std::string& line) {
 /// A topic as a section: headings become subsections, other lines at the left paragraphs, and
 /// indented lines stay as they are.
 std::string topicSection(const HelpTopic& topic) {
-  std::string text = ".SH ";
-  for (const char* c = topic.name; *c; ++c) {
-    text += char(std::toupper(static_cast<unsigned char>(*c)));
-  }
-  text += '\n';
+  std::string text = topic.name;
+  for (char& c : text) c = char(std::toupper(static_cast<unsigned char>(c)));
+  text = ".SH " + text + "\n";
   std::istringstream lines(topic.text);
   bool isExample = false, isNewParagraph = false;
   for (std::string line; std::getline(lines, line);) {
-    const bool isIndented = line.compare(0, 2, "  ") == 0;
-    if (isExample && !isIndented) {
-      text += ".EE\n";
-      isNewParagraph = true;
+    const bool wasExample = std::exchange(isExample, line.compare(0, 2, "  ") == 0);
+    if (wasExample && !isExample) text += ".EE\n";
+    isNewParagraph = isNewParagraph || line.empty() || (wasExample && !isExample);
+    if (line.empty()) continue;
+    const bool isTitle = !isExample && isHeading(line);
+    if (isTitle) {
+      text += ".SS ";
+    } else if (isNewParagraph) {
+      text += ".PP\n";
     }
-    if (line.empty()) {
-      isNewParagraph = true;
-    } else if (!isIndented && isHeading(line)) {
-      text += ".SS " + forTroff(line) + "\n";
-      isNewParagraph = false;
-    } else {
-      if (isNewParagraph) text += ".PP\n";
-      if (isIndented && !isExample) text += ".EX\n";
-      text += forTroff(line) + "\n";
-      isNewParagraph = false;
-    }
-    isExample = isIndented;
+    if (isExample && !wasExample) text += ".EX\n";
+    text += forTroff(line) + "\n";
+    isNewParagraph = false;
   }
   return text + (isExample ? ".EE\n" : "");
 }
@@ -186,14 +143,13 @@ bool isFile(const std::string& word) {
 /// nothing can be offered. Three dots behind a word say that it may come again, a question mark
 /// that it may be left out.
 std::string offers(const ArgumentRow& row) {
-  std::string text, choices = row.choices;
+  std::string text, choices = row.action->choices;
   std::replace(choices.begin(), choices.end(), ' ', '/');
   std::istringstream words(row.words);
   for (std::string word; words >> word; choices.clear()) {
-    const bool mayRepeat = word.size() > 3 && word.compare(word.size() - 3, 3, "...") == 0;
+    const bool mayRepeat = word.find("...") != std::string::npos;
     const std::string offer = !choices.empty() ? choices : isFile(word) ? "file" : "-";
-    const char* const mark = mayRepeat ? "..." : word[0] == '[' ? "?" : "";
-    text += (text.empty() ? "" : " ") + offer + mark;
+    text += (text.empty() ? "" : " ") + offer + (mayRepeat ? "..." : word[0] == '[' ? "?" : "");
   }
   return text;
 }
@@ -233,18 +189,6 @@ complete -F _raytracer raytracer
 
 }  // namespace
 
-std::string optionList() {
-  std::string list, group;
-  for (const ArgumentRow& row : argumentTable()) {
-    if (group != row.group) list += (group.empty() ? "" : "\n") + std::string(row.group) + ":\n";
-    group = row.group;
-    const std::string left = heading(row);
-    list += left;
-    appendWrapped(list, left.size(), helpOf(row));
-  }
-  return list;
-}
-
 std::string topicList() {
   std::string list;
   for (const HelpTopic& topic : helpTopics()) {
@@ -256,19 +200,20 @@ std::string topicList() {
 }
 
 std::string shortHelp() {
-  std::string text = kStart;
-  const std::vector<ArgumentRow>& table = argumentTable();
-  for (auto row = table.begin(); row != table.end();) {
-    const std::string group = row->group;
-    std::string names;
-    for (; row != table.end() && group == row->group; ++row) {
-      names += (names.empty() ? "-" : " -") + std::string(row->name);
+  std::string text = kStart, group, line;
+  for (const ArgumentRow& row : argumentTable()) {
+    const std::string name = " -" + row.name;
+    const bool isFirst = group != row.group;
+    if (isFirst || line.size() + name.size() > kWidth) {
+      text += line + "\n";
+      line = isFirst ? "  " + row.group : "";
+      if (line.size() >= kTextColumn) text += std::exchange(line, "") + "\n";
+      line.resize(kTextColumn - 1, ' ');
     }
-    text += "\n  " + group;
-    appendWrapped(text, group.size() + 2, names);
-    text.pop_back();
+    group = row.group;
+    line += name;
   }
-  return text +
+  return text + line +
          "\n\n'raytracer -help' explains them all, 'raytracer -help scene' the scene files.\n";
 }
 
@@ -289,12 +234,11 @@ std::string manPage() {
 std::string completionScript() {
   std::string names, cases;
   for (const ArgumentRow& row : argumentTable()) {
-    const std::string other = row.otherName ? row.otherName : "";
-    names += "  " + std::string(row.name) + (other.empty() ? "" : " " + other) + "\n";
-    const std::string offered = offers(row);
-    if (offered.empty()) continue;
-    cases.append("    ").append(row.name).append(other.empty() ? "" : "|" + other);
-    cases.append(") offers=(").append(offered).append(") ;;\n");
+    const std::string& other = row.otherName;
+    names += "  " + row.name + (other.empty() ? "" : " " + other) + "\n";
+    if (row.words.empty()) continue;
+    cases += "    " + row.name + (other.empty() ? "" : "|" + other) + ") offers=(" + offers(row) +
+             ") ;;\n";
   }
   return "# bash completion for raytracer, made from its table of arguments.\n\n"
          "_raytracer_names='\n" +

@@ -20,8 +20,8 @@ inline Request parse(const Words& words) {
                     : words[0].substr(std::min(words[0].size(), words[0].find_first_not_of('-')));
   const ArgumentRow* row = findArgument(name);
   Words all = {"-input", "scene.txt", "-output", "out.tga"};
-  if (row && row->mode == ArgumentRow::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
-  if (row && row->mode == ArgumentRow::Mode::merging) all.clear();
+  if (row && row->action->mode == ArgumentAction::Mode::comparing) all = {"-compare", "a.tga", "b.tga"};
+  if (row && row->action->mode == ArgumentAction::Mode::merging) all.clear();
   all.insert(all.end(), words.begin(), words.end());
   return parseRequest(all);
 }

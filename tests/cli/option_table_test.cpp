@@ -10,8 +10,8 @@ namespace {
 
 /// The words that must be given beside an argument.
 Words companionsOf(const ArgumentRow& row) {
-  const bool drawsGrid = std::string(row.name).rfind("visualize_grid", 0) == 0;
-  if (std::string(row.name) == "pixel_obj") return {"-pixel", "1", "1"};
+  const bool drawsGrid = row.name.rfind("visualize_grid", 0) == 0;
+  if (row.name == "pixel_obj") return {"-pixel", "1", "1"};
   return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
 }
 
@@ -35,11 +35,35 @@ Words sampleWords(const ArgumentRow& row) {
 }  // namespace
 
 TEST("limits in the help are the limits of the parser") {
-  CHECK(contains(helpOf(*findArgument("bounces")), "to " + std::to_string(kMaxBounces)));
-  CHECK(contains(helpOf(*findArgument("threads")), "to " + std::to_string(kMaxThreads)));
-  CHECK(contains(helpOf(*findArgument("size")), "to " + std::to_string(kMaxImageSide)));
-  CHECK(contains(helpOf(*findArgument("grid")), "to " + std::to_string(kMaxGridSide)));
-  CHECK(contains(helpOf(*findArgument("grid")), "most " + std::to_string(kMaxGridCells)));
+  CHECK(contains(findArgument("bounces")->help, "to " + std::to_string(kMaxBounces)));
+  CHECK(contains(findArgument("threads")->help, "to " + std::to_string(kMaxThreads)));
+  CHECK(contains(findArgument("size")->help, "to " + std::to_string(kMaxImageSide)));
+  CHECK(contains(findArgument("grid")->help, "to " + std::to_string(kMaxGridSide)));
+  CHECK(contains(findArgument("grid")->help, "most " + std::to_string(kMaxGridCells)));
+}
+
+TEST("the table is what the list of -help says") {
+  const std::string list = optionList();
+  std::size_t entries = 0;
+  for (std::size_t at = 0; (at = list.find("\n  -", at)) != std::string::npos; ++at) ++entries;
+  CHECK_EQUAL(argumentTable().size(), entries);
+  for (const ArgumentRow& row : argumentTable()) {
+    CHECK(!row.help.empty() && row.help.back() != ' ' && !contains(row.help, "  "));
+    CHECK_EQUAL(row.action->name, row.name);
+    CHECK_EQUAL(findArgument(row.name), &row);
+  }
+  // The text begins in the line below, behind one blank, and behind a second spelling.
+  const ArgumentRow& adaptive = *findArgument("adaptive_samples");
+  CHECK_EQUAL(adaptive.words, "MIN MAX TOLERANCE");
+  CHECK_EQUAL(adaptive.help.substr(0, 17), "MIN jittered rays");
+  const ArgumentRow& gaussian = *findArgument("gaussian_filter");
+  CHECK_EQUAL(gaussian.words, "SIGMA");
+  CHECK_EQUAL(gaussian.help.substr(0, 7), "samples");
+  CHECK_EQUAL(gaussian.group, "Samples in a pixel");
+  const ArgumentRow& normals = *findArgument("normal");
+  CHECK_EQUAL(normals.name + "|" + normals.otherName + "|" + normals.words, "normals|normal|FILE");
+  CHECK_EQUAL(normals.help.substr(0, 9), "write the");
+  CHECK_EQUAL(findArgument("stats")->words, "");
 }
 
 TEST("every argument of the contract is in the table") {
@@ -81,8 +105,8 @@ TEST("every argument of the contract is in the table") {
 
 TEST("every argument of the table is read under each name with one dash or two") {
   for (const ArgumentRow& row : argumentTable()) {
-    for (const char* name : {row.name, row.otherName}) {
-      if (!name) continue;
+    for (const std::string& name : {row.name, row.otherName}) {
+      if (name.empty()) continue;
       for (const char* dashes : {"-", "--"}) {
         Words words = sampleWords(row);
         words.insert(words.begin(), std::string(dashes) + name);
@@ -112,10 +136,10 @@ TEST("the list of arguments has lines of at most 80 columns and names every argu
   while (std::getline(lines, line)) CHECK(line.size() <= 80);
   for (const ArgumentRow& row : argumentTable()) {
     const std::string name = std::string("\n  -") + row.name;
-    const std::string entry = name + (*row.words ? std::string(" ") + row.words : "");
+    const std::string entry = name + (row.words.empty() ? "" : " " + row.words);
     CHECK(contains(list, entry));
     CHECK(contains(fullHelp(), entry));
-    if (row.otherName) CHECK(contains(list, std::string(", -") + row.otherName));
+    if (!row.otherName.empty()) CHECK(contains(list, std::string(", -") + row.otherName));
   }
 }
 

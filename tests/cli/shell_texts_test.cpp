@@ -102,7 +102,7 @@ TEST("bash completes topics of help, one at most") {
   std::string all;
   for (const HelpTopic& topic : helpTopics())
     all += (all.empty() ? "" : " ") + std::string(topic.name);
-  CHECK_EQUAL(findArgument("help")->choices, all);
+  CHECK_EQUAL(findArgument("help")->action->choices, all);
 }
 
 TEST("a checker of shell scripts finds no fault in bash's completion") {
@@ -114,12 +114,12 @@ TEST("a checker of shell scripts finds no fault in bash's completion") {
 
 TEST("bash's completion knows every choice that the parser takes") {
   for (const ArgumentRow& row : argumentTable()) {
-    std::istringstream choices(row.choices);
+    std::istringstream choices(row.action->choices);
     for (std::string choice; choices >> choice;) {
       const auto takes = [&] {
         Draft draft;
         const std::vector<std::string> words = {choice, "1", "1"};
-        row.apply(ArgumentWords(row, words), draft);  // throws where it does not
+        row.action->apply(ArgumentWords(row, words), draft);  // throws where it does not
         return true;
       };
       CHECK(takes());

@@ -20,8 +20,8 @@ void printSceneWords() {
 
 void printArguments() {
   for (const ArgumentRow& row : argumentTable()) {
-    std::printf("\"-%s\\x0a\"\n", row.name);
-    if (row.otherName) std::printf("\"-%s\\x0a\"\n", row.otherName);
+    std::printf("\"-%s\\x0a\"\n", row.name.c_str());
+    if (!row.otherName.empty()) std::printf("\"-%s\\x0a\"\n", row.otherName.c_str());
   }
 }
 

@@ -1,0 +1,132 @@
+// Reading a scene, with its warnings; and building what answers for its objects. None of the ways
+// to answer changes a pixel, but for the cells of a grid, which are drawn in place of the scene.
+#include "cli/scene_setup.h"
+
+#include "accel/compiled_scene.h"
+#include "accel/counting_tree.h"
+#include "accel/grid/grid.h"
+#include "accel/grid/grid_view.h"
+#include "cli/program.h"
+#include "render/sampler.h"
+#include "scene/input_error.h"
+#include "scene/source_text.h"
+
+namespace {
+
+using Pattern = SamplingOptions::Pattern;
+
+/// How -visualize_grid_count paints a cell of at most so many objects; the last one holds for all
+/// that have more. README.txt shows the same list.
+struct CountColor {
+  std::size_t most;
+  Vec3f color;
+};
+constexpr CountColor kCountColors[] = {
+    {1, {1, 1, 1}},          {2, {0.6f, 0.3f, 0.9f}},  {3, {0.2f, 0.3f, 1}},
+    {4, {0.2f, 0.8f, 0.9f}}, {8, {0.2f, 0.8f, 0.2f}},  {16, {1, 0.9f, 0.1f}},
+    {32, {1, 0.5f, 0.1f}},   {33, {0.9f, 0.1f, 0.1f}},
+};
+
+std::string displayName(const std::string& input) {
+  return input == "-" ? "standard input" : input;
+}
+
+void warnOfSimd(SimdLevel wanted) {
+  const SimdLevel available = availableSimd(wanted);
+  if (wanted == SimdLevel::automatic || available == wanted) return;
+  complain(std::string("warning: -simd ") + nameOf(wanted) + ": this processor does not have it; " +
+           nameOf(available) + " is used");
+}
+
+/// Numbers of samples may have been rounded up.
+void warnOfSamples(const SamplingOptions& wanted) {
+  const bool isAdaptive = wanted.pattern == Pattern::adaptive;
+  const Sampler sampler(wanted);
+  const int first = sampler.getNumFirst(), most = sampler.getNumSamples();
+  if (wanted.pattern == Pattern::center || (first == wanted.samples && !isAdaptive)) return;
+  if (first == wanted.samples && most == wanted.maxSamples) return;
+  std::string argument = wanted.pattern == Pattern::uniform ? "-uniform" : "-jittered";
+  std::string numbers = std::to_string(wanted.samples), rounded = std::to_string(first);
+  if (isAdaptive) {
+    argument = "-adaptive";
+    numbers += " " + std::to_string(wanted.maxSamples);
+    rounded += " and " + std::to_string(most);
+  }
+  complain("warning: " + argument + "_samples " + numbers + ": rounded up to " + rounded +
+           ", a square" + (isAdaptive ? " and this times a power of 4" : ""));
+}
+
+}  // namespace
+
+SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNotes& notes) {
+  const std::string& file = render.picture.scene;
+  return withMemory("to read " + displayName(file), [&] {
+    const SourceText text = SourceText::read(file);
+    const std::string_view bytes = text.bytes();
+    if (!run.checkpoint.empty() || render.picture.isPart) {
+      notes.digest = sha256(bytes.data(), bytes.size());
+    }
+    return SceneParser(text, render.results.pixel ? &notes.places : nullptr);
+  });
+}
+
+void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet) {
+  const RenderOptions& options = picture.render;
+  if (!quiet) {
+    for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
+    warnOfSimd(picture.acceleration.simd);
+    warnOfSamples(options.sampling);
+  }
+  if (options.transparentShadows || options.nestedDielectrics || options.fresnel) {
+    withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
+  }
+}
+
+int checkScene(const std::string& file, bool quiet) {
+  std::vector<std::string> warnings;
+  const std::vector<InputError> mistakes = withMemory("to read " + displayName(file), [&] {
+    return SceneParser::check(file.c_str(), quiet ? nullptr : &warnings);
+  });
+  for (const std::string& warning : warnings) complain("warning: " + warning);
+  for (const InputError& mistake : mistakes) complain(mistake.what());
+  if (mistakes.size() >= MistakeLog::kCapacity) {
+    complain(displayName(file) + ": reading ended with mistake number " +
+             std::to_string(mistakes.size()));
+  }
+  if (!mistakes.empty()) return kSceneAtFault;
+  return print(displayName(file) + ": no mistakes found\n");
+}
+
+SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads,
+                             bool counts)
+    : root_(root) {
+  TestTally* const tally = counts ? &tally_ : nullptr;
+  if (wanted.kind == Acceleration::Kind::fast) {
+    auto compiled = std::make_unique<CompiledScene>(root, threads, wanted.simd, tally);
+    simd_ = nameOf(availableSimd(wanted.simd));
+    description_ = compiled->describe();
+    built_ = std::move(compiled);
+  } else if (wanted.cellPicture != Acceleration::CellPicture::none) {
+    buildCells(wanted);
+  } else if (wanted.kind == Acceleration::Kind::grid) {
+    auto grid = std::make_unique<Grid>(root, wanted.gridSize, GridLimits{}, tally);
+    description_ = grid->describe();
+    built_ = std::move(grid);
+  } else if (tally) {
+    built_ = std::make_unique<CountingTree>(root, *tally);
+  }
+}
+
+/// Where cells are not told apart, all are painted as those of one object.
+void SceneGeometry::buildCells(const Acceleration& wanted) {
+  const bool tells = wanted.cellPicture == Acceleration::CellPicture::counts;
+  for (const CountColor& each : kCountColors) {
+    paints_.emplace_back(each.color, Vec3f(), 1.0f, Vec3f(), Vec3f(), 1.0f);
+  }
+  std::vector<const Material*> palette;  // by the number of objects
+  for (std::size_t i = 0; i < (tells ? paints_.size() : 1); ++i) {
+    palette.resize(kCountColors[i].most, &paints_[i]);
+  }
+  built_ = std::make_unique<GridView>(root_, wanted.gridSize, std::move(palette));
+  description_ = "cells of a grid";
+}
