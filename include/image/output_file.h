@@ -74,14 +74,3 @@ bool isLineOpen();
 /// give exit status 128 + signal; those that were ignored stay ignored. SIGPIPE and SIGXFSZ are
 /// ignored, so that a closed pipe or the file size limit becomes an OutputError.
 void removeTemporaryOnSignals();
-
-/// From now on a signal that asks the program to end (see removeTemporaryOnSignals) writes its
-/// number, one byte, to `descriptor`, and the program goes on: whoever reads there has a tenth of a
-/// second to call endOnSignal; a signal after that ends the program without further ado. With -1
-/// signals end the program at once again, and on return nobody writes to the old descriptor any
-/// more. `descriptor` must be non-blocking.
-void passSignalsTo(int descriptor);
-
-/// What a signal does that is not passed: removes the temporary files and ends the program with
-/// status 128 + `signal`.
-[[noreturn]] void endOnSignal(int signal);

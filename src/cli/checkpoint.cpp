@@ -1,21 +1,26 @@
-// Checkpoint. A tile's way: a worker thread finishes it and notes its number; the saving thread
-// takes all that are noted, copies their pixels out of the pictures and appends them to the file.
-// The next run of the same command reads them all before it renders, and its workers pass over
-// them.
+// Checkpoint: written by appending whole records, read from the first to the last.
 //
-// Signals reach the saving thread through a pipe: a signal handler may do little, but it may write
-// a byte (see passSignalsTo). The thread sleeps on that pipe between two times of saving.
+// The file begins with a header of 96 bytes: 32 of a title, the fingerprint, the SHA-256 of both.
+// Then come records: "Tile", the tile's number and the bits of its pictures in 4 bytes each; its
+// pixels; the SHA-256 of the fingerprint and all that.
+//
+// A worker thread that has finished a tile appends it. The next run of the same command reads them
+// all before it renders, and its workers pass over them. It goes from record to record: the head of
+// each says which tile it is and so how long it must be; if its checksum is right its pixels are
+// set, and the next one begins behind it. Where there is no whole record, the next mark "Tile" is
+// looked for, byte by byte: bytes of pixels may look like one, but have no right checksum. The end
+// of the last whole record is the end of the file from then on, so that a torn one is overwritten.
 #include "cli/checkpoint.h"
 
 #include <fcntl.h>
-#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <bitset>
 #include <cerrno>
-#include <exception>
-#include <system_error>
+#include <cstring>
+#include <filesystem>
 
 #include "cli/program.h"
 #include "image/output_file.h"
@@ -23,174 +28,229 @@
 
 namespace {
 
-constexpr std::chrono::milliseconds kInterval{500};
-/// The program is to end within 100 ms of a signal.
-constexpr std::chrono::milliseconds kLastSave{50};
-
 /// Of the file: a checkpoint of layout 1, which had other records, is no file of ours.
 constexpr std::uint64_t kLayout = 2;
+constexpr char kTitle[32] = "raytracer checkpoint 2\n";
+constexpr char kMark[4] = {'T', 'i', 'l', 'e'};
+constexpr std::size_t kHeadSize = sizeof kMark + 2 * sizeof(std::uint32_t);
+constexpr std::size_t kSearchPiece = 4096;
+/// So much damage in one place is looked through for whole records, no more.
+constexpr off_t kMostDamage = off_t(64) << 20;
 
-/// How many tiles so many pixels have along an axis.
-std::uint32_t tilesAlong(int pixels) {
-  return std::uint32_t((pixels + TileStore::kSide - 1) / TileStore::kSide);
+/// Throws OutputError where no file can be made there.
+const std::string& checked(const std::string& path) {
+  checkOutput(path);
+  return path;
+}
+
+/// Tiles of floats are no tiles of bytes: the pictures count too.
+Digest fingerprintOf(const Digest& picture, const RenderTargets& targets) {
+  Sha256 hash;
+  hash.add(picture);
+  hash.addNumber(pictureBits(targets));
+  hash.addNumber(kLayout);
+  return hash.finish();
+}
+
+template <class Values>
+void append(const Values& values, Bytes& bytes) {
+  bytes.insert(bytes.end(), std::begin(values), std::end(values));
+}
+
+Bytes headerOf(const Digest& fingerprint) {
+  Bytes header(std::begin(kTitle), std::end(kTitle));
+  append(fingerprint, header);
+  append(sha256(header.data(), header.size()), header);
+  return header;
 }
 
 }  // namespace
 
-/// Tiles of the file go straight into the pictures. One tile may come in several records, each of
-/// other pictures: colours with samples are rendered in one pass, depth and normals in another.
-Checkpoint::Checkpoint(const std::string& path, const Digest& fingerprint,
-                       const RenderTargets& targets)
-    : targets_(targets),
-      whole_(wholeArea(targets)),
-      columns_(tilesAlong(whole_.right)),
-      rows_(tilesAlong(whole_.top)),
-      found_(std::size_t(columns_) * rows_),
-      file_(path, fingerprint) {
-  file_.readTiles([this](const Tile& tile) { return byteCountOf(tile); },
-                  [this](const Tile& tile, const std::uint8_t* pixels) {
-                    const RenderTargets kept = withPictures(targets_, tile.pictures);
-                    setTileBytes(kept, areaOf(tile.number), pixels);
-                    std::uint8_t& found = found_[tile.number];
-                    found = std::uint8_t(found | tile.pictures);
-                  });
-  startSaving();
-}
-
-Checkpoint::~Checkpoint() { stop(); }
-
-PixelRectangle Checkpoint::areaOf(std::uint32_t tile) const {
-  const int left = int(tile % columns_) * kSide, bottom = int(tile / columns_) * kSide;
-  return {left, bottom, std::min(left + kSide, whole_.right), std::min(bottom + kSide, whole_.top)};
-}
-
-/// 0 for a tile that no run of this picture can have made.
-std::size_t Checkpoint::byteCountOf(const Tile& tile) const {
-  if (tile.number >= found_.size() || (tile.pictures & ~pictureBits(targets_)) != 0) return 0;
-  return tileByteCount(withPictures(targets_, tile.pictures), areaOf(tile.number));
-}
-
-/// Calls visit(number) for the tiles that make up `area`.
-template <class Visit>
-void Checkpoint::forEachTile(const PixelRectangle& area, const Visit& visit) const {
-  for (std::uint32_t j = tilesAlong(area.bottom); j < tilesAlong(area.top); ++j) {
-    for (std::uint32_t i = tilesAlong(area.left); i < tilesAlong(area.right); ++i) {
-      visit(j * columns_ + i);
-    }
+/// A plain file alone: a record is written at a place of its own, and the file is cut off. A FIFO
+/// is opened without waiting (O_NONBLOCK), to be refused; a terminal does not become ours. Another
+/// run may have removed the file between our opening and locking it: it has no name then.
+Checkpoint::Checkpoint(const std::string& path, const Digest& picture, const RenderTargets& targets)
+    : path_(checked(path)),
+      fingerprint_(fingerprintOf(picture, targets)),
+      targets_(targets),
+      found_(tileCount(targets)),
+      file_(path, O_RDWR | O_CREAT | O_NOCTTY | O_NONBLOCK) {
+  if (!file_.isOpen()) fail(errno);
+  if (file_.regularSize() < 0) {
+    throw UsageError("-checkpoint: expected a plain file, found '" + path + "'");
   }
+  struct stat status = {};
+  if (!file_.lock(false) || fstat(file_.descriptor(), &status) != 0 || status.st_nlink == 0) {
+    throw OutputError(path, "another run keeps its checkpoint there");
+  }
+  place_ = std::filesystem::canonical(path).string();
+  checkHeader();
+  readTiles();
 }
 
 /// Of what was found at the start alone: what this run finishes itself it does not ask for again,
-/// so that found_ never changes while threads read it.
+/// so that what threads read here never changes.
 bool Checkpoint::isFinished(const RenderTargets& targets, const PixelRectangle& area) const {
   const std::uint32_t wanted = pictureBits(targets);
-  bool finished = true;
-  forEachTile(area, [&](std::uint32_t tile) { finished &= (found_[tile] & wanted) == wanted; });
-  return finished;
+  const std::vector<std::uint32_t> tiles = tilesIn(targets_, area);
+  return std::all_of(tiles.begin(), tiles.end(),
+                     [&](std::uint32_t tile) { return (found_[tile] & wanted) == wanted; });
 }
 
 void Checkpoint::finish(const RenderTargets& targets, const PixelRectangle& area) {
-  const std::uint32_t pictures = pictureBits(targets);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  forEachTile(area, [&](std::uint32_t tile) { unsaved_.push_back({tile, pictures}); });
+  for (const std::uint32_t number : tilesIn(targets_, area)) {
+    const Bytes record = recordOf({number, pictureBits(targets)});
+    const std::lock_guard<std::mutex> lock(mutex_);
+    try {
+      write(record);
+    } catch (const OutputError& error) {
+      if (!complained_) complain(std::string("warning: ") + error.what());
+      complained_ = true;
+    }
+  }
 }
 
 /// Each picture of each tile counts the same, whatever its size.
 double Checkpoint::foundShare() const {
   const auto count = [](std::uint32_t pictures) {
-    return double(std::bitset<kPictureKinds>(pictures).count());
+    return double(std::bitset<32>(pictures).count());
   };
   double found = 0;
-  for (const std::uint8_t pictures : found_) found += count(pictures);
+  for (const std::uint32_t pictures : found_) found += count(pictures);
   return found / (double(found_.size()) * count(pictureBits(targets_)));
 }
 
-/// The pipe does not block: a handler that met a full one would hang the program that it is to end.
-void Checkpoint::startSaving() {
-  if (pipe2(signals_, O_CLOEXEC | O_NONBLOCK) != 0) {
-    throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
-  }
-  try {
-    saving_ = std::thread([this] { saveUntilStopped(); });
-  } catch (...) {
-    for (const int end : signals_) close(end);
-    throw;
-  }
-  passSignalsTo(signals_[1]);
+void Checkpoint::tell() const {
+  if (damaged_) complain("warning: " + path_ + ": damaged; what it lost is rendered again");
+  const double found = foundShare();
+  if (found == 0) return;
+  complain(path_ + ": taken up with " + std::to_string(int(100 * found)) + " % done");
 }
 
-/// Woken by a signal's number, by 0 from stop(), or by nothing for kInterval; saves in each case.
-void Checkpoint::saveUntilStopped() {
-  for (;;) {
-    struct pollfd event = {signals_[0], POLLIN, 0};
-    poll(&event, 1, int(kInterval.count()));
-    unsigned char signal = 0;
-    const bool called = read(signals_[0], &signal, 1) == 1;
-    save(called && signal != 0 ? Clock::now() + kLastSave : Clock::time_point::max());
-    if (called && signal == 0) return;
-    if (called) endOnSignal(signal);
-  }
-}
-
-/// Starts on no tile after the deadline. What cannot be saved now is tried again the next time: the
-/// pictures hold it meanwhile.
-void Checkpoint::save(Clock::time_point deadline) {
-  std::vector<Tile> tiles;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    tiles.swap(unsaved_);
-  }
-  try {
-    // From the last one on, so that what is left to save stays at the front. A tile that fails is
-    // still among them.
-    for (; !tiles.empty() && Clock::now() < deadline; tiles.pop_back()) {
-      const Tile& tile = tiles.back();
-      file_.append(tile, tileBytes(withPictures(targets_, tile.pictures), areaOf(tile.number)));
-    }
-  } catch (const std::exception& error) {
-    if (!complained_) complain(std::string("warning: ") + error.what());
-    complained_ = true;
-  }
-  // Workers may have finished others meanwhile: the lock is not held while the disk is waited for.
-  const std::lock_guard<std::mutex> lock(mutex_);
-  unsaved_.insert(unsaved_.end(), tiles.begin(), tiles.end());
-}
-
-/// From then on signals end the program at once again.
-void Checkpoint::stop() {
-  if (!saving_.joinable()) return;
-  passSignalsTo(-1);
-  const unsigned char end = 0;
-  // The pipe is not full: whoever sent so many signals would have been answered by the first one.
-  while (write(signals_[1], &end, 1) < 0 && errno == EINTR) {
-  }
-  saving_.join();
-  for (const int descriptor : signals_) close(descriptor);
-}
-
+/// The lock is still ours, so that no other run has begun to use the file.
 void Checkpoint::remove() {
-  stop();
-  try {
-    file_.remove();
-  } catch (const std::exception& error) {
-    complain(std::string("warning: ") + error.what());
-  }
+  if (unlink(place_.c_str()) == 0 || errno == ENOENT) return;
+  complain("warning: " + std::string(OutputError(path_, std::strerror(errno)).what()));
 }
 
-std::unique_ptr<Checkpoint> openCheckpoint(const std::string& path, const Digest& picture,
-                                           const RenderTargets& targets, bool quiet) {
-  Sha256 fingerprint;
-  fingerprint.add(picture);
-  fingerprint.addNumber(pictureBits(targets));  // tiles of floats are no tiles of bytes
-  fingerprint.addNumber(kLayout);
-  auto checkpoint = std::make_unique<Checkpoint>(path, fingerprint.finish(), targets);
-  if (quiet) return checkpoint;
-  if (checkpoint->wasDamaged()) {
-    complain("warning: " + path + ": damaged; what it lost is rendered again");
+void Checkpoint::fail(int error) const { throw OutputError(path_, std::strerror(error)); }
+
+/// Title and fingerprint each suffice to know the file by, in case the other one is damaged. A new
+/// header is on the disk before anything else, so that a power failure leaves a file that is known.
+void Checkpoint::checkHeader() {
+  const Bytes header = headerOf(fingerprint_);
+  // What a file that is shorter does not have stays 0: a run was killed while it made the file, or
+  // somebody made an empty one for us.
+  Bytes found(header.size());
+  const std::size_t size = readAt(0, found);
+  end_ = off_t(header.size());
+  if (found == header) return;
+  const auto isSame = [&](std::size_t from, std::size_t count) {
+    return std::memcmp(&found[from], &header[from], count) == 0;
+  };
+  if (!isSame(0, std::min(size, sizeof kTitle)) && !isSame(sizeof kTitle, sizeof fingerprint_)) {
+    throw UsageError("-checkpoint: expected a file that this program has made, found '" + path_ +
+                     "', which is something else");
   }
-  const double found = checkpoint->foundShare();
-  if (found > 0) {
-    complain(path + ": taken up with " + std::to_string(int(100 * found)) + " % done");
+  const std::size_t summed = sizeof kTitle + sizeof fingerprint_;
+  const Digest sum = sha256(found.data(), summed);
+  if (std::equal(sum.begin(), sum.end(), &found[summed])) {
+    throw UsageError("-checkpoint: '" + path_ +
+                     "' was made from another scene, other meshes or other arguments; expected "
+                     "the command that made it, or no such file");
   }
-  return checkpoint;
+  damaged_ = size == header.size();
+  end_ = 0;
+  write(header);
+  if (fsync(file_.descriptor()) != 0 && errno != EINVAL) fail(errno);
+}
+
+/// Fills `target`, or its beginning where the file ends; returns how many bytes there were.
+std::size_t Checkpoint::readAt(off_t offset, Bytes& target) const {
+  const ssize_t count = file_.readAt(offset, target.data(), target.size());
+  if (count < 0) fail(errno);
+  return std::size_t(count);
+}
+
+/// The fingerprint is part of it: a record that was copied here from another picture's file is not
+/// taken for one of ours.
+Digest Checkpoint::checksumOf(const std::uint8_t* record, std::size_t size) const {
+  Sha256 hash;
+  hash.add(fingerprint_);
+  hash.add(record, size);
+  return hash.finish();
+}
+
+Checkpoint::Tile Checkpoint::tileOf(const Bytes& record) {
+  Tile tile;
+  std::memcpy(&tile, &record[sizeof kMark], sizeof tile);
+  return tile;
+}
+
+/// Called while other threads write to other tiles: it reads no pixel of these.
+Bytes Checkpoint::recordOf(const Tile& tile) const {
+  Bytes record(kHeadSize);
+  std::memcpy(record.data(), kMark, sizeof kMark);
+  std::memcpy(&record[sizeof kMark], &tile, sizeof tile);
+  append(tileBytes(targets_, tile.pictures, tileArea(targets_, tile.number)), record);
+  append(checksumOf(record.data(), record.size()), record);
+  return record;
+}
+
+/// True where the mark at `at` begins a whole record, of a tile that a run of this picture can have
+/// made. In either case `record` has about as many bytes as were read.
+bool Checkpoint::readRecord(off_t at, Bytes& record) const {
+  record.resize(kHeadSize);
+  if (readAt(at, record) < kHeadSize) return false;
+  const auto [number, pictures] = tileOf(record);
+  if (number >= found_.size() || pictures == 0) return false;
+  if ((pictures & ~pictureBits(targets_)) != 0) return false;
+  const std::size_t size =
+      kHeadSize + tileByteCount(targets_, pictures, tileArea(targets_, number));
+  record.resize(size + sizeof(Digest));
+  if (readAt(at, record) < record.size()) return false;
+  const Digest sum = checksumOf(record.data(), size);
+  return std::equal(sum.begin(), sum.end(), &record[size]);
+}
+
+/// The mark is looked for in pieces that overlap by so much that none is cut. Each mark that begins
+/// no whole record may cost the reading and hashing of a tile: a file made of nothing but marks
+/// would keep us busy for the square of its size, and is left at kMostDamage.
+void Checkpoint::readTiles() {
+  Bytes piece(kSearchPiece), record;
+  off_t at = end_, inVain = 0;  // bytes read without finding a record
+  while (at < end_ + kMostDamage && inVain < kMostDamage) {
+    const std::size_t size = readAt(at, piece);
+    const auto end = piece.begin() + std::ptrdiff_t(size);
+    const auto mark = std::search(piece.begin(), end, std::begin(kMark), std::end(kMark));
+    if (mark == end && size < kSearchPiece) break;
+    at += std::min(mark - piece.begin(), std::ptrdiff_t(kSearchPiece - sizeof kMark + 1));
+    if (mark == end) continue;
+    if (!readRecord(at, record)) {
+      inVain += off_t(size + record.size());
+      ++at;
+      continue;
+    }
+    const auto [number, pictures] = tileOf(record);
+    setTileBytes(targets_, pictures, tileArea(targets_, number), &record[kHeadSize]);
+    found_[number] |= pictures;
+    damaged_ = damaged_ || at > end_;
+    at += off_t(record.size());
+    end_ = at;
+  }
+  if (ftruncate(file_.descriptor(), end_) != 0) fail(errno);
+}
+
+/// At a place and not at the end: where the last try failed half way, as on a full disk, this one
+/// writes over what it left. end_ moves only when all bytes are written.
+void Checkpoint::write(const Bytes& bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count =
+        pwrite(file_.descriptor(), bytes.data() + done, bytes.size() - done, end_ + off_t(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail(count < 0 ? errno : EIO);
+    done += std::size_t(count);
+  }
+  end_ += off_t(done);
 }

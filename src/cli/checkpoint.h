@@ -1,66 +1,67 @@
 // Checkpoint: keeps finished tiles in a file, so that a run that was ended can be taken up.
 #pragma once
-#include <chrono>
-#include <memory>
+#include <cstdint>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "cli/checkpoint_file.h"
-#include "render/image_plane.h"
+#include "image/bytes.h"
 #include "render/renderer.h"
+#include "system/files.h"
+#include "system/sha256.h"
 
-/// A tile is a square of TileStore::kSide pixels, or what of it lies in the picture; they are
-/// numbered row by row from the lower left corner on. Saving goes on beside the rendering, on a
-/// thread of its own: twice in a second, far below the 5 s of work that may be lost, so that little
-/// has to be saved when a signal asks the program to end. Then what is finished is saved once more,
-/// for 50 ms at most, and the program ends. Only one checkpoint may be there at a time.
+/// The file has a header, and finished tiles in any order, each with a checksum of its own, so that
+/// a cut or damaged one costs itself and no other. Each tile is written as soon as it is finished:
+/// whatever ends the program costs the tiles at hand.
 class Checkpoint : public TileStore {
  public:
-  /// Opens the file, sets in `targets` (not owned) the tiles that it holds, and begins to save the
-  /// others as they are finished. Throws as CheckpointFile does, and std::system_error where there
-  /// is no thread.
-  Checkpoint(const std::string& path, const Digest& fingerprint, const RenderTargets& targets);
-  ~Checkpoint() override;
+  /// Opens the file, or makes a new one, locks it against other runs, and sets in the pictures of
+  /// `targets` (not owned) every tile that it holds whole. `picture` is their fingerprint. Throws
+  /// OutputError where that cannot be done or another run has the file, UsageError where it is no
+  /// checkpoint, or one of another picture; such a file stays as it is.
+  Checkpoint(const std::string& path, const Digest& picture, const RenderTargets& targets);
 
   bool isFinished(const RenderTargets& targets, const PixelRectangle& area) const override;
+  /// Appends the tiles of `area` to the file. The first time that fails the user is warned; a tile
+  /// that could not be kept is one that the next run renders again.
   void finish(const RenderTargets& targets, const PixelRectangle& area) override;
 
   /// How much of the pictures was found in the file, from 0 to 1.
   double foundShare() const;
-  bool wasDamaged() const { return file_.wasDamaged(); }
+  /// True when the header or something before the last whole tile was damaged; a torn last one is
+  /// no damage: so may end a run that is killed.
+  bool wasDamaged() const { return damaged_; }
+  /// Tells the user what was found in the file; nothing where it is new.
+  void tell() const;
 
-  /// Saves what is finished, and no more after. Complains where that fails.
-  void stop();
   /// The pictures are written: removes the file. Complains where that fails.
   void remove();
 
  private:
-  using Tile = CheckpointFile::Tile;
-  using Clock = std::chrono::steady_clock;
+  /// Some pictures of a tile, see render/tile_bytes.h. (Colours with samples are rendered in one
+  /// pass, depth and normals in another: a tile may be kept by halves.)
+  struct Tile {
+    std::uint32_t number, pictures;
+  };
 
-  PixelRectangle areaOf(std::uint32_t tile) const;
-  std::size_t byteCountOf(const Tile& tile) const;
-  template <class Visit>
-  void forEachTile(const PixelRectangle& area, const Visit& visit) const;
-  void startSaving();
-  void saveUntilStopped();
-  void save(Clock::time_point deadline);
+  void checkHeader();
+  void readTiles();
+  std::size_t readAt(off_t offset, Bytes& target) const;
+  bool readRecord(off_t at, Bytes& record) const;
+  static Tile tileOf(const Bytes& record);
+  Bytes recordOf(const Tile& tile) const;
+  Digest checksumOf(const std::uint8_t* record, std::size_t size) const;
+  void write(const Bytes& bytes);
+  [[noreturn]] void fail(int error) const;
 
+  const std::string path_;
+  const Digest fingerprint_;
   const RenderTargets targets_;
-  const PixelRectangle whole_;
-  const std::uint32_t columns_, rows_;  // of tiles
-  std::vector<std::uint8_t> found_;     // for each tile: the pictures whose pixels the file held
-  CheckpointFile file_;
+  std::vector<std::uint32_t> found_;  // for each tile: the pictures whose pixels the file held
+  const OpenFile file_;
+  std::string place_;  // the path with its links followed
+  bool damaged_ = false;
   std::mutex mutex_;
-  std::vector<Tile> unsaved_;  // guarded by mutex_
-  bool complained_ = false;    // of the saving thread alone
-  int signals_[2] = {-1, -1};  // of a pipe: the numbers of signals, or 0 to come to an end
-  std::thread saving_;
+  off_t end_ = 0;            // behind the last whole record; guarded by mutex_
+  bool complained_ = false;  // likewise
 };
-
-/// Opens the checkpoint at `path` and tells the user, unless `quiet`, what it holds. `picture` is
-/// the fingerprint of the picture that `targets` are to have.
-std::unique_ptr<Checkpoint> openCheckpoint(const std::string& path, const Digest& picture,
-                                           const RenderTargets& targets, bool quiet);

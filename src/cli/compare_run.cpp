@@ -44,34 +44,29 @@ std::string attempt(const std::string& purpose, const Work& work) {
   }
 }
 
-/// Calls work(), which reads or renders pictures of the pair; where that fails, the pair is
-/// unreadable and says why.
-template <class Work>
-void attemptReading(ComparedPair& pair, const Work& work) {
-  const std::string fault = attempt("to compare " + pair.name, work);
+/// Compares the pair's files, where there are two. `rendered` stands for the actual one unless it
+/// is null. Where a file cannot be read the pair is unreadable and says why.
+void comparePair(const CompareRequest& request, const Image* rendered, ComparedPair& pair) {
+  if (pair.isAtFault()) return;
+  const std::string fault = attempt("to compare " + pair.name, [&] {
+    const Image expected = readImage(pair.expected);
+    const Image read = rendered ? Image() : readImage(pair.actual);
+    comparePictures(expected, rendered ? *rendered : read, request, pair);
+  });
   if (!fault.empty()) pair.fail(Result::unreadable, fault);
 }
 
-/// Compares two files, where there are two.
-void compareFiles(const CompareRequest& request, ComparedPair& pair) {
-  if (pair.isAtFault()) return;
-  attemptReading(pair, [&] {
-    comparePictures(readImage(pair.expected), readImage(pair.actual), request, pair);
-  });
-}
-
-[[noreturn]] void refuse(const std::string& a, const std::string& b) {
-  throw UsageError("-compare: expected different files, found '" + a + "' and '" + b + "'");
-}
-
 /// Throws UsageError where an output is one of the `pictures`, which are compared, or two outputs
-/// are one file, or one goes to standard output beside the figures.
+/// are one file, or one goes to standard output beside the figures. All pictures are checked before
+/// the first one is read: a long comparison is not to end with the refusal to write its result.
 void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest& request,
                   bool quiet) {
   std::vector<std::string> others = pictures;
   for (const std::string& output : {request.diff, request.report, request.csv}) {
     for (const std::string& other : others) {
-      if (isSameOutput(other, output)) refuse(other, output);
+      if (!isSameOutput(other, output)) continue;
+      throw UsageError("-compare: expected different files, found '" + other + "' and '" + output +
+                       "'");
     }
     others.push_back(output);
     if (quiet || !isSameOutput(output, "-")) continue;
@@ -81,42 +76,28 @@ void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest
   }
 }
 
-/// All outputs are checked before the first picture is read: a long comparison is not to end with
-/// the refusal to write its result.
 std::vector<ComparedPair> compareFolders(const CompareRequest& request, bool quiet) {
   std::vector<ComparedPair> pairs = pairsIn(request.expected, request.actual);
   for (const ComparedPair& pair : pairs) {
     checkOutputs({pair.expected, pair.actual}, request, quiet);
   }
-  for (ComparedPair& pair : pairs) compareFiles(request, pair);
+  for (ComparedPair& pair : pairs) comparePair(request, nullptr, pair);
   return pairs;
 }
 
 /// Renders the pictures of a command and compares each with its partner in `expected`, the pictures
-/// of the folder. Partners are added to `taken`.
+/// of the folder; adds their pairs. Where rendering fails, none of them can be compared.
 void compareCommand(const TableCommand& command, const CompareRequest& request,
-                    const std::vector<std::string>& expected, std::set<std::string>& taken,
-                    std::vector<ComparedPair>& pairs) {
-  // Rendered as a whole: where that fails, none of the command's pictures can be compared.
+                    const std::vector<std::string>& expected, std::vector<ComparedPair>& pairs) {
   std::vector<Output> outputs = outputsOf(command.render.results);
-  ComparedPair whole;
-  whole.name = outputs[0].file;
-  attemptReading(whole, [&] { outputs = renderPictures(command.render, command.run); });
+  const std::string fault = attempt("to compare " + outputs[0].file,
+                                    [&] { outputs = renderPictures(command.render, command.run); });
   for (const Output& output : outputs) {
     const std::string partner = partnerOf(output.file, expected);
-    if (!partner.empty()) taken.insert(partner);
-    ComparedPair& pair = pairs.emplace_back();
-    pair = {output.file, inFolder(request.expected, partner), command.text};
-    if (whole.isAtFault()) {
-      pair.fail(whole.result, whole.fault);
-    } else if (partner.empty()) {
-      pair.fail(Result::unexpected, "no expected picture");
-    } else {
-      const auto compare = [&] {
-        comparePictures(readImage(pair.expected), output.image, request, pair);
-      };
-      attemptReading(pair, compare);
-    }
+    pairs.push_back({output.file, inFolder(request.expected, partner), command.text});
+    if (partner.empty()) pairs.back().fail(Result::unexpected, "no expected picture");
+    if (!fault.empty()) pairs.back().fail(Result::unreadable, fault);
+    comparePair(request, &output.image, pairs.back());
   }
 }
 
@@ -128,16 +109,19 @@ std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunR
     checkOutputs({inFolder(request.expected, name)}, request, run.quiet);
   }
   RunRequest defaults = run;
-  if (run.progress == RunRequest::Progress::automatic)
+  if (run.progress == RunRequest::Progress::automatic) {
     defaults.progress = RunRequest::Progress::off;
-  std::set<std::string> taken;
+  }
   std::vector<ComparedPair> pairs;
   for (const TableCommand& command : readCommandTable(request.actual, defaults)) {
-    compareCommand(command, request, expected, taken, pairs);
+    compareCommand(command, request, expected, pairs);
   }
+  std::set<std::string> taken;
+  for (const ComparedPair& pair : pairs) taken.insert(pair.expected);
   for (const std::string& name : expected) {
-    if (taken.count(name) > 0) continue;
-    pairs.push_back({name, inFolder(request.expected, name), ""});
+    const std::string file = inFolder(request.expected, name);
+    if (taken.count(file) > 0) continue;
+    pairs.push_back({name, file, ""});
     pairs.back().fail(Result::missing, "no command gives this picture");
   }
   return pairs;
@@ -148,7 +132,7 @@ std::vector<ComparedPair> compareAll(const CompareRequest& request, const RunReq
   if (!isFolder(request.expected)) {
     const std::string name = fs::path(request.expected).filename().string();
     ComparedPair pair = {name, request.expected, request.actual};
-    compareFiles(request, pair);
+    comparePair(request, nullptr, pair);
     return {std::move(pair)};
   }
   if (!request.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
@@ -156,11 +140,11 @@ std::vector<ComparedPair> compareAll(const CompareRequest& request, const RunReq
 }
 
 /// The worst of all pairs.
-CompareStatus statusOf(const std::vector<ComparedPair>& pairs) {
-  CompareStatus status = kSame;
+int statusOf(const std::vector<ComparedPair>& pairs) {
+  int status = kSame;
   for (const ComparedPair& pair : pairs) {
-    if (pair.result == Result::unreadable) return kUnreadable;
-    if (pair.result != Result::same) status = kDifferent;
+    const int found = pair.result == Result::unreadable ? kUnreadable : kDifferent;
+    if (pair.result != Result::same) status = std::max(status, found);
   }
   return status;
 }
@@ -200,7 +184,7 @@ int runComparison(const CompareRequest& request, const RunRequest& run) {
     complain(request.expected + ": expected pictures to compare, found none");
     return kUnreadable;
   }
-  const CompareStatus status = statusOf(pairs);
+  const int status = statusOf(pairs);
   // Figures are printed before any file is written, so that one that fails does not cost them.
   const bool isSingle = !isFolder(request.expected);
   const std::string text = isSingle ? figureLines(pairs[0], request) : pairLines(pairs);

@@ -6,11 +6,12 @@
 #include "cli/compared_pair.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <tuple>
 
-#include "image/picture_file.h"
+#include "image/bytes.h"
 
 namespace {
 
@@ -19,38 +20,21 @@ using Result = ComparedPair::Result;
 
 /// By the ending alone: a file that is no picture in spite of it is unreadable, and so told.
 bool isPictureName(const fs::path& path) {
+  static constexpr std::string_view kEndings[] = {".tga", ".png", ".ppm", ".pgm", ".pfm"};
   std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  }
-  for (const char* known : {".tga", ".png", ".ppm", ".pgm", ".pfm"}) {
-    if (ending == known) return true;
-  }
-  return false;
+  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
 }
 
 /// out/a.tga is out/a.
 fs::path withoutEnding(const std::string& name) { return fs::path(name).replace_extension(); }
 
-std::string sizeText(const Image& image) {
-  return std::to_string(image.Width()) + " x " + std::to_string(image.Height());
-}
-
-/// As PNG, in which they go into the report: it holds those of all pairs at once, and their pixels
-/// would take more memory.
-void keepPictures(const Image& expected, const Image& actual, ComparedPair& pair) {
-  pair.expectedPng = encodePicture(expected, PictureFormat::png);
-  if (pair.comparison && pair.comparison->maximum == 0) return;
-  pair.actualPng = encodePicture(actual, PictureFormat::png);
-  pair.differencePng = encodePicture(differencePicture(expected, actual), PictureFormat::png);
-}
-
 /// Greater is worse.
 auto badnessOf(const ComparedPair& pair) {
-  const int kind = pair.result == Result::same ? 0 : pair.result == Result::different ? 1 : 2;
+  const int kind = pair.isAtFault() ? 2 : int(pair.result);
   const bool otherSize = !pair.comparison && !pair.isAtFault();
-  return std::make_tuple(kind, otherSize, pair.comparison ? pair.comparison->percentOver() : 0.0,
-                         pair.comparison ? pair.comparison->rms : 0.0);
+  const Comparison figures = pair.comparison.value_or(Comparison());
+  return std::make_tuple(kind, otherSize, figures.percentOver(), figures.rms);
 }
 
 }  // namespace
@@ -66,6 +50,8 @@ const char* nameOf(Result result) {
   return kNames[int(result)];
 }
 
+std::string sizeText(ComparedPair::Size size) { return joined(size.width, " x ", size.height); }
+
 std::string inFolder(const std::string& folder, const std::string& name) {
   return name.empty() ? "" : (fs::path(folder) / name).string();
 }
@@ -73,14 +59,11 @@ std::string inFolder(const std::string& folder, const std::string& name) {
 /// The order of a folder is the file system's own; sorted, it is the same everywhere.
 std::vector<std::string> picturesIn(const std::string& folder) {
   std::vector<std::string> names;
-  std::error_code error;
+  std::error_code error, ignored;
   fs::recursive_directory_iterator entry(folder, error);
-  while (!error && entry != fs::recursive_directory_iterator()) {
-    std::error_code ignored;
-    if (isPictureName(entry->path()) && !entry->is_directory(ignored)) {
-      names.push_back(entry->path().lexically_relative(folder).string());
-    }
-    entry.increment(error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    if (!isPictureName(entry->path()) || entry->is_directory(ignored)) continue;
+    names.push_back(entry->path().lexically_relative(folder).string());
   }
   if (error) throw ImageError(folder, error.message());
   std::sort(names.begin(), names.end());
@@ -98,16 +81,13 @@ std::string partnerOf(const std::string& name, const std::vector<std::string>& p
 /// Two expected pictures may have the same partner, for example a TGA and a PNG of one name.
 std::vector<ComparedPair> pairsIn(const std::string& expectedFolder,
                                   const std::string& actualFolder) {
-  const std::vector<std::string> expected = picturesIn(expectedFolder);
   const std::vector<std::string> actual = picturesIn(actualFolder);
   std::vector<ComparedPair> pairs;
   std::set<std::string> taken;
-  for (const std::string& name : expected) {
-    const std::string partner = partnerOf(name, actual);
+  for (const std::string& name : picturesIn(expectedFolder)) {
+    const std::string partner = *taken.insert(partnerOf(name, actual)).first;
     pairs.push_back({name, inFolder(expectedFolder, name), inFolder(actualFolder, partner)});
-    taken.insert(partner);
-    if (!partner.empty()) continue;
-    pairs.back().fail(Result::missing, "no actual picture");
+    if (partner.empty()) pairs.back().fail(Result::missing, "no actual picture");
   }
   for (const std::string& name : actual) {
     if (taken.count(name) > 0) continue;
@@ -124,20 +104,20 @@ bool isWorse(const ComparedPair& a, const ComparedPair& b) {
   return p != q ? p > q : a.name < b.name;
 }
 
+/// For the report the pictures are kept as they stand there, compressed: it holds those of all
+/// pairs at once, and their pixels would take more memory.
 void comparePictures(const Image& expected, const Image& actual, const CompareRequest& request,
                      ComparedPair& pair) {
-  pair.expectedWidth = expected.Width();
-  pair.expectedHeight = expected.Height();
-  pair.actualWidth = actual.Width();
-  pair.actualHeight = actual.Height();
+  pair.expectedSize = {expected.Width(), expected.Height()};
+  pair.actualSize = {actual.Width(), actual.Height()};
   if (expected.Width() != actual.Width() || expected.Height() != actual.Height()) {
-    pair.fail(Result::different,
-              "expected " + sizeText(expected) + " pixels, found " + sizeText(actual));
+    pair.fail(Result::different, "expected " + sizeText(pair.expectedSize) + " pixels, found " +
+                                     sizeText(pair.actualSize));
   } else {
     pair.comparison = compare(expected, actual, request.tolerance);
     const bool isOver = pair.comparison->percentOver() > request.failPercent;
     pair.result = isOver ? Result::different : Result::same;
   }
-  if (!request.report.empty()) keepPictures(expected, actual, pair);
+  if (!request.report.empty()) pair.figures = reportFigures(expected, actual, pair);
   if (!request.diff.empty()) pair.difference = differencePicture(expected, actual);
 }

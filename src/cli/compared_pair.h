@@ -2,27 +2,28 @@
 // which that is told: lines of text, a row of comma-separated values, a page with the pictures.
 #pragma once
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/request.h"
-#include "image/bytes.h"
 #include "image/comparison.h"
 
 struct ComparedPair {
   enum class Result { same, different, missing, unexpected, unreadable };
+  struct Size {
+    int width = 0, height = 0;  ///< pixels; 0 where the picture could not be read
+  };
 
   std::string name;      ///< what both are called: a path below the folder, where it is one
   std::string expected;  ///< a file; empty where there is none
   std::string actual;    ///< likewise, or a command
   Result result = Result::same;
   std::string fault{};  ///< why it is missing, unexpected or unreadable, or how the sizes differ
-  int expectedWidth = 0, expectedHeight = 0, actualWidth = 0, actualHeight = 0;
+  Size expectedSize{}, actualSize{};
   std::optional<Comparison> comparison{};  ///< where both pictures have the same size
-  /// The pictures as PNG, where a report is wanted and they could be read; those of `actual` and of
-  /// the differences only where the pictures are not equal.
-  Bytes expectedPng{}, actualPng{}, differencePng{};
-  Image difference{};  ///< the picture of the differences, where -diff is given
+  std::string figures{};  ///< the pictures, as they stand in the report, where one is wanted
+  Image difference{};     ///< the picture of the differences, where -diff is given
 
   /// Neither the same within the tolerance nor readable and different.
   bool isAtFault() const { return result != Result::same && result != Result::different; }
@@ -56,8 +57,16 @@ bool isWorse(const ComparedPair& a, const ComparedPair& b);
 
 const char* nameOf(ComparedPair::Result result);
 
-/// A number in all of the forms: 6 significant digits, `inf` for infinity.
-std::string numberText(double value);
+/// The values one after the other, numbers with 6 significant digits at most; `inf` for infinity.
+template <class... Values>
+std::string joined(const Values&... values) {
+  std::ostringstream text;
+  (text << ... << values);
+  return text.str();
+}
+
+/// "10 x 20".
+std::string sizeText(ComparedPair::Size size);
 
 /// What there is to tell of a pair, as far as it could be compared.
 struct Figure {
@@ -75,6 +84,10 @@ std::string pairLines(const std::vector<ComparedPair>& pairs);
 /// that begins with our heading unless it is new or empty. Fields that a pair has no value for are
 /// empty. Waits for other runs that add to it. Throws OutputError.
 void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path);
+
+/// The pair's pictures as they stand in the report: PNGs in HTML, one where both are equal, else
+/// both and that of their differences.
+std::string reportFigures(const Image& expected, const Image& actual, const ComparedPair& pair);
 
 /// The page: HTML in one file that needs nothing from outside. Pairs come as they are given. Names
 /// may hold any bytes.

@@ -617,13 +617,12 @@ cancelled, ...), merge.log names the rows. Then tile 33, for example, again:
 constexpr const char* kCheckpointTopic = R"(
   raytracer -input SCENE -output out.tga ... -checkpoint out.checkpoint
 
-keeps finished tiles of all images but that of -heatmap in out.checkpoint: twice
-in a second, and when a signal (SIGINT, SIGTERM, ...) ends the run. The same
-command takes up from there and ends with the same bytes as a run that was never
-ended; then the file is removed. -threads, -simd, -accel and the names of the
-images (with the same endings) may be others. SIGKILL loses the tiles of the
-last half second, and like any other end the tiles in work; a power failure what
-the system had not written yet, some half minute.
+keeps the tiles of all images but that of -heatmap in out.checkpoint, each as
+soon as it is finished. Whatever ends the run (SIGINT, SIGTERM, SIGKILL, ...),
+the same command takes up from there and ends with the same bytes as a run that
+was never ended; then the file is removed. -threads, -simd, -accel and the names
+of the images (with the same endings) may be others. An end loses the tiles in
+work; a power failure what the system had not written yet, some half minute.
 
 A file of another scene, other meshes, other arguments or another version of the
 program is refused with status 2, and so is what is no checkpoint; both stay as

@@ -7,8 +7,7 @@
 // later there is a gap, where it begins earlier two parts overlap. For n parts in the widest band
 // that is O(n) a band, however large the picture.
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <map>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -27,28 +26,29 @@ namespace {
 using Parts = std::vector<PartFile>;
 
 constexpr std::size_t kMostComplaints = 20;
+constexpr std::size_t kMostOpen = 256;  // files at a time
 
 /// The parts that hold pixels of a row, from left to right.
 class PartsInRow {
  public:
+  using Row = std::multimap<int, const PartFile*>;  // by their x
+
   /// `parts` are in the order of their y, those of the same y of their x. Not owned.
-  explicit PartsInRow(const Parts& parts) : parts_(parts) {}
+  explicit PartsInRow(const Parts& parts) : next_(parts.begin()), end_(parts.end()) {}
 
   /// To be called for rows further and further down, none in which a part begins left out.
-  const std::vector<const PartFile*>& goTo(int y) {
-    const auto isOver = [y](const PartFile* part) { return part->bottom() <= y; };
-    found_.erase(std::remove_if(found_.begin(), found_.end(), isOver), found_.end());
-    const auto old = std::ptrdiff_t(found_.size());
-    for (; next_ < parts_.size() && parts_[next_].y == y; ++next_) found_.push_back(&parts_[next_]);
-    std::inplace_merge(found_.begin(), found_.begin() + old, found_.end(),
-                       [](const PartFile* a, const PartFile* b) { return a->x < b->x; });
-    return found_;
+  const Row& goTo(int y) {
+    for (auto part = row_.begin(); part != row_.end();) {
+      part = part->second->bottom() <= y ? row_.erase(part) : std::next(part);
+    }
+    for (; next_ != end_ && next_->y == y; ++next_) row_.emplace(next_->x, &*next_);
+    return row_;
   }
 
  private:
-  const Parts& parts_;
-  std::size_t next_ = 0;  // the first part that no row has reached
-  std::vector<const PartFile*> found_;
+  Parts::const_iterator next_;  // the first part that no row has reached
+  const Parts::const_iterator end_;
+  Row row_;
 };
 
 /// Pixels left <= x < right of rows top <= y < bottom, counted from 0 at the top and left.
@@ -72,12 +72,15 @@ std::string placeText(const Place& place, int width) {
 /// and the argument that would render them. At most kMostComplaints of each are found.
 class Cover {
  public:
-  Cover(const Parts& parts, const PartId& whole) : inRow_(parts), width_(whole.width) {
+  Cover(const Parts& parts, const PartId& whole) : width_(whole.width) {
     // The list of parts in a row can only change where one of them begins or ends.
     std::set<int> edges = {0, whole.height};
     for (const PartFile& part : parts) edges.insert({part.y, part.bottom()});
+    PartsInRow inRow(parts);
     auto edge = edges.begin();
-    for (int top = *edge++; edge != edges.end(); top = *edge++) checkBand(top, *edge);
+    for (int top = *edge++; edge != edges.end(); top = *edge++) {
+      checkBand(top, *edge, inRow.goTo(top));
+    }
     for (const Place& gap : gaps_) report(gap);
   }
 
@@ -87,12 +90,12 @@ class Cover {
  private:
   /// Rows top <= y < bottom: from left to right, `end` being the first pixel that no part so far
   /// holds. A part may lie inside an earlier one, which then still reaches furthest.
-  void checkBand(int top, int bottom) {
+  void checkBand(int top, int bottom, const PartsInRow::Row& row) {
     int end = 0;
     const PartFile* reaching = nullptr;  // the part that ends there
-    for (const PartFile* part : inRow_.goTo(top)) {
-      if (part->x > end) addGap({end, top, part->x, bottom});
-      if (part->x < end) addOverlap(*reaching, *part);
+    for (const auto& [x, part] : row) {
+      if (x > end) addGap({end, top, x, bottom});
+      if (x < end) addOverlap(*reaching, *part);
       if (part->right() <= end) continue;
       end = part->right();
       reaching = part;
@@ -110,7 +113,7 @@ class Cover {
     if (gaps_.size() < kMostComplaints) gaps_.push_back(place);
   }
 
-  /// Each two parts are told of once, although they may meet in many bands.
+  /// Each two parts are told of once, although they may meet in many rows.
   void addOverlap(const PartFile& a, const PartFile& b) {
     if (mistakes_.size() >= kMostComplaints || !overlapping_.insert({&a, &b}).second) return;
     const Place both = {std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.right(), b.right()),
@@ -129,47 +132,10 @@ class Cover {
                         " renders " + (isOne ? "it" : "them"));
   }
 
-  PartsInRow inRow_;
   const int width_;
   std::vector<Place> gaps_;
   std::set<std::pair<const PartFile*, const PartFile*>> overlapping_;
   std::vector<std::string> mistakes_;
-};
-
-/// The rows of the whole picture, from the top one on, as BGR bytes. Keeps one.
-class MergedRows {
- public:
-  /// `parts` cover the picture, in the order that PartsInRow wants. Not owned.
-  explicit MergedRows(const Parts& parts)
-      : parts_(parts), inRow_(parts), row_(3 * std::size_t(parts[0].id.width)) {}
-
-  /// To be called for each y in turn, from 0 on. Throws InputError where a part cannot be read.
-  const Bytes& row(int y) {
-    for (const PartFile* part : inRow_.goTo(y)) {
-      part->readRow(fileOf(*part), y - part->y, &row_[3 * std::size_t(part->x)]);
-    }
-    return row_;
-  }
-
- private:
-  /// A file stays open until another part needs its place: parts that lie beside each other are
-  /// near each other in the list, and so have other places.
-  const OpenFile& fileOf(const PartFile& part) {
-    Open& open = open_[std::size_t(&part - parts_.data()) % kMostOpen];
-    if (open.part != &part) open = {&part, PartFile::open(part.path)};
-    return *open.file;
-  }
-
-  struct Open {
-    const PartFile* part = nullptr;
-    std::unique_ptr<const OpenFile> file;
-  };
-  static constexpr std::size_t kMostOpen = 256;  // files at a time
-
-  const Parts& parts_;
-  PartsInRow inRow_;
-  Bytes row_;
-  Open open_[kMostOpen];
 };
 
 /// Leaves the files that are no parts out, and says so in `mistakes`.
@@ -206,18 +172,28 @@ void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
   }
 }
 
-/// A TGA needs no more than a row in memory.
+/// `parts` cover the picture, in the order that PartsInRow wants. A TGA needs no more than a row in
+/// memory.
 void write(const Parts& parts, const std::string& path) {
   const int width = parts[0].id.width, height = parts[0].id.height;
-  MergedRows rows(parts);
-  if (formatOf(path) == PictureFormat::tga) {
-    const auto row = [&rows](int y) -> const Bytes& { return rows.row(y); };
-    return writeTgaRows(width, height, row, path);
-  }
-  // Other formats want the image as a whole, whose rows are counted from the bottom; BGR to RGB.
+  PartsInRow inRow(parts);
+  Bytes row(3 * std::size_t(width));  // BGR
+  std::map<const PartFile*, std::unique_ptr<const OpenFile>> files;
+  const auto rowAt = [&](int y) -> const Bytes& {
+    for (const auto& [x, part] : inRow.goTo(y)) {
+      // Files stay open for the rows to come, until there are too many: then all are closed.
+      if (files.size() == kMostOpen && files.count(part) == 0) files.clear();
+      std::unique_ptr<const OpenFile>& file = files[part];
+      if (!file) file = PartFile::open(part->path);
+      part->readRow(*file, y - part->y, &row[3 * std::size_t(x)]);
+    }
+    return row;
+  };
+  if (formatOf(path) == PictureFormat::tga) return writeTgaRows(width, height, rowAt, path);
+  // Other formats want the image as a whole, whose rows are counted from the bottom.
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
-    const std::uint8_t* pixel = rows.row(y).data();
+    const std::uint8_t* pixel = rowAt(y).data();
     for (int x = 0; x < width; ++x, pixel += 3) {
       image.setPixel(x, height - 1 - y, Rgb8{pixel[2], pixel[1], pixel[0]});
     }

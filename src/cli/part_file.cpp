@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 
 #include "cli/fingerprint.h"
@@ -20,20 +21,11 @@ namespace {
 constexpr const char* kPartTitle = "raytracer part 1";
 constexpr std::size_t kHeader = 18, kMostId = 255;
 
-const char* nameOf(OutputRequest::Kind kind) {
-  if (kind == OutputRequest::Kind::color) return "color";
-  if (kind == OutputRequest::Kind::depth) return "depth";
-  assert(kind == OutputRequest::Kind::normals);
-  return "normals";
-}
-
 /// Two digits for each byte, the high one first.
 std::string hexadecimal(const Digest& digest) {
+  static constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
-  for (const std::uint8_t byte : digest) {
-    text += "0123456789abcdef"[byte >> 4];
-    text += "0123456789abcdef"[byte & 15];
-  }
+  for (const std::uint8_t byte : digest) text += {kDigits[byte >> 4], kDigits[byte & 15]};
   return text;
 }
 
@@ -52,10 +44,6 @@ bool readId(const std::string& text, PartId& id) {
   throw InputError(path, 0, message);
 }
 
-[[noreturn]] void failReading(const std::string& path) {
-  failPart(path, std::string("cannot be read: ") + std::strerror(errno));
-}
-
 [[noreturn]] void failNoPart(const std::string& path, const std::string& found) {
   failPart(path, "expected a TGA that -region or -tile has written, found " + found);
 }
@@ -64,11 +52,9 @@ bool readId(const std::string& text, PartId& id) {
 std::size_t readAt(const std::string& path, const OpenFile& file, std::int64_t offset,
                    std::uint8_t* target, std::size_t size) {
   const ssize_t count = file.readAt(off_t(offset), target, size);
-  if (count < 0) failReading(path);
+  if (count < 0) failPart(path, std::string("cannot be read: ") + std::strerror(errno));
   return std::size_t(count);
 }
-
-int shortAt(const std::uint8_t* bytes) { return bytes[0] + 256 * bytes[1]; }
 
 /// Apart from sizes and places, the header that a part has.
 bool isHeader(const std::uint8_t* header) {
@@ -105,44 +91,41 @@ std::string textOf(const PartId& id) {
 
 PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
                 const std::vector<std::string>& meshFiles, int threads) {
+  static constexpr const char* kNames[] = {"color", "depth", "normals"};
+  assert(output.kind <= OutputRequest::Kind::normals);
   std::vector<GivenArgument> given;
-  for (const GivenArgument& argument : render.given) {
-    const bool isPlace =
-        argument.name == "size" || argument.name == "region" || argument.name == "tile";
-    if (!isPlace) given.push_back(argument);
-  }
+  const auto isNoPlace = [](const GivenArgument& argument) {
+    return argument.name != "size" && argument.name != "region" && argument.name != "tile";
+  };
+  std::copy_if(render.given.begin(), render.given.end(), std::back_inserter(given), isNoPlace);
   // As if the run had been for this output alone.
   ResultRequest alone;
   alone.outputs = {output};
   const Digest digest = pictureFingerprint(alone, given, scene, meshFiles, threads);
-  return {nameOf(output.kind), render.picture.width, render.picture.height, hexadecimal(digest)};
+  return {kNames[int(output.kind)], render.picture.width, render.picture.height,
+          hexadecimal(digest)};
 }
 
 std::unique_ptr<const OpenFile> PartFile::open(const std::string& path) {
   auto file = std::make_unique<const OpenFile>(path);
-  if (!file->isOpen()) failReading(path);
+  if (!file->isOpen()) failPart(path, std::string("cannot be read: ") + std::strerror(errno));
   return file;
 }
 
 PartFile PartFile::read(const std::string& path) {
-  const std::unique_ptr<const OpenFile> opened = open(path);
-  const OpenFile& file = *opened;
+  const std::unique_ptr<const OpenFile> file = open(path);
   std::uint8_t header[kHeader + kMostId] = {};
-  const auto size = std::int64_t(file.regularSize());
+  const auto size = std::int64_t(file->regularSize());
   if (size < 0) failNoPart(path, "no plain file");
-  const std::size_t found = readAt(path, file, 0, header, sizeof header);
+  const std::size_t found = readAt(path, *file, 0, header, sizeof header);
   if (found < kHeader) failNoPart(path, bytesText(size));
   if (!isHeader(header)) failNoPart(path, "another kind of file");
   if (header[0] == 0) failNoPart(path, "a TGA without an image ID, which is no part");
   if (found < kHeader + header[0]) failNoPart(path, bytesText(size));
-  PartFile part;
-  part.path = path;
+  const auto field = [&header](int at) { return int(littleEndian16(header + at)); };
+  PartFile part = {path, {}, field(8), field(10), field(12), field(14)};
   const std::string id(header + kHeader, header + kHeader + header[0]);
   if (!readId(id, part.id)) failNoPart(path, "a TGA with another image ID");
-  part.x = shortAt(header + 8);
-  part.y = shortAt(header + 10);
-  part.width = shortAt(header + 12);
-  part.height = shortAt(header + 14);
   checkPlaceAndSize(part, size);
   return part;
 }

@@ -113,7 +113,8 @@ bool RenderRun::prepareOutputs() {
 void RenderRun::openCheckpointFor(RenderTargets& targets) {
   const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
                                                 scene_.getMeshFiles(), run_.threads);
-  checkpoint_ = openCheckpoint(run_.checkpoint, fingerprint, targets, run_.quiet);
+  checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
+  if (!run_.quiet) checkpoint_->tell();
   targets.store = checkpoint_.get();
 }
 
@@ -138,7 +139,6 @@ void RenderRun::trace() {
   if (isTraced || results.pixel || results.find(Kind::heatmap)) {
     withMemory("to render " + size, [&] { traceRays(targets, display); });
   }
-  if (checkpoint_) checkpoint_->stop();
   if (shown && !isTraced) status_ = print(pictureText(shown->image));
 }
 

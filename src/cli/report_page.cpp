@@ -3,9 +3,10 @@
 // Without the script the page still shows all figures and pictures; what needs it is hidden.
 #include <algorithm>
 #include <initializer_list>
-#include <utility>
+#include <iterator>
 
 #include "cli/compared_pair.h"
+#include "image/picture_file.h"
 
 namespace {
 
@@ -128,20 +129,21 @@ std::string filled(const char* text, std::initializer_list<std::string> values) 
   return result;
 }
 
-/// How a character stands between tags and in attributes. Control characters become U+FFFD.
-std::string entityOf(char c) {
-  static constexpr std::pair<char, const char*> kEntities[] = {
-      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
-  for (const auto& [special, entity] : kEntities) {
-    if (c == special) return entity;
-  }
-  const bool isControl = static_cast<unsigned char>(c) < 32 || c == 127;
-  return isControl ? "&#xFFFD;" : std::string(1, c);
-}
-
+/// As it stands between tags and in attributes. Control characters become U+FFFD.
 std::string escaped(const std::string& text) {
+  static constexpr char kSpecial[] = "&<>\"'";
+  static constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string result;
-  for (const char c : text) result += entityOf(c);
+  for (const char c : text) {
+    const char* const special = std::find(kSpecial, kSpecial + std::size(kEntities), c);
+    if (special != kSpecial + std::size(kEntities)) {
+      result += kEntities[special - kSpecial];
+    } else if (static_cast<unsigned char>(c) < 32 || c == 127) {
+      result += "&#xFFFD;";
+    } else {
+      result += c;
+    }
+  }
   return result;
 }
 
@@ -173,40 +175,36 @@ std::string rowsOf(const ComparedPair& pair, const CompareRequest& request) {
   return rows;
 }
 
-std::string pictureText(const char* kind, const std::string& caption, const Bytes& png,
-                        const ComparedPair& pair) {
-  return filled(kFigure, {kind, caption, escaped(pair.name), base64(png)});
-}
-
-/// Nothing where a picture could not be read; one picture where both are equal.
-std::string picturesOf(const ComparedPair& pair) {
-  if (pair.expectedPng.empty()) return "";
-  const std::string start = "<div class=\"pictures\">", end = "</div>\n";
-  if (pair.actualPng.empty()) {
-    const char* caption = "expected and actual, which are equal";
-    return start + pictureText("expected", caption, pair.expectedPng, pair) + end;
-  }
-  const std::string difference = "difference, " + std::to_string(kDifferenceGain) + " times";
-  return start + pictureText("expected", "expected", pair.expectedPng, pair) +
-         pictureText("actual", "actual", pair.actualPng, pair) +
-         pictureText("difference", difference, pair.differencePng, pair) + end +
-         filled(kWipe, {escaped(pair.name)});
-}
-
 }  // namespace
+
+std::string reportFigures(const Image& expected, const Image& actual, const ComparedPair& pair) {
+  const std::string name = escaped(pair.name), end = "</div>\n";
+  std::string text = "<div class=\"pictures\">";
+  const auto add = [&](const char* kind, const std::string& caption, const Image& image) {
+    const Bytes png = encodePicture(image, PictureFormat::png);
+    text += filled(kFigure, {kind, caption, name, base64(png)});
+  };
+  if (pair.comparison && pair.comparison->maximum == 0) {
+    add("expected", "expected and actual, which are equal", expected);
+    return text + end;
+  }
+  add("expected", "expected", expected);
+  add("actual", "actual", actual);
+  add("difference", joined("difference, ", kDifferenceGain, " times"),
+      differencePicture(expected, actual));
+  return text + end + filled(kWipe, {name});
+}
 
 std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request) {
   const auto same = std::count_if(pairs.begin(), pairs.end(), [](const ComparedPair& pair) {
     return pair.result == ComparedPair::Result::same;
   });
   std::string page = kHead;
-  page +=
-      filled(kIntroduction, {std::to_string(pairs.size()), std::to_string(same),
-                             std::to_string(request.tolerance), numberText(request.failPercent)});
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const ComparedPair& pair = pairs[i];
-    page += filled(kSection, {std::to_string(i + 1), nameOf(pair.result), escaped(pair.name),
-                              rowsOf(pair, request), picturesOf(pair)});
+  page += filled(kIntroduction, {joined(pairs.size()), joined(same), joined(request.tolerance),
+                                 joined(request.failPercent)});
+  for (const ComparedPair& pair : pairs) {
+    page += filled(kSection, {joined(&pair - pairs.data() + 1), nameOf(pair.result),
+                              escaped(pair.name), rowsOf(pair, request), pair.figures});
   }
   return page + kScript + "</body></html>\n";
 }

@@ -18,45 +18,62 @@ constexpr Rgb8 kOnlyInOne = {255, 0, 255};
 /// Sums over the samples of two pictures, exact: 65025 * 3 * 2^32 is below 2^53.
 struct Sums {
   std::uint64_t differences = 0, squares = 0;
-
-  void add(int difference) {
-    differences += static_cast<std::uint64_t>(difference);
-    squares += static_cast<std::uint64_t>(difference * difference);
-  }
-};
-
-struct Box {
-  int left = std::numeric_limits<int>::max(), top = left, right = -1, bottom = -1;
-
-  void add(int x, int y) {
-    left = std::min(left, x);
-    top = std::min(top, y);
-    right = std::max(right, x);
-    bottom = std::max(bottom, y);
-  }
 };
 
 /// The pixel at column x of the row that is y-th from the top.
 Rgb8 pixelAt(const Image& image, int x, int y) { return image.getPixel(x, image.Height() - 1 - y); }
 
+/// Adds the differences of three samples to the sums, and returns the largest.
+int addDifferences(Rgb8 e, Rgb8 a, Sums& sums) {
+  int largest = 0;
+  for (const int difference : {std::abs(e.r - a.r), std::abs(e.g - a.g), std::abs(e.b - a.b)}) {
+    sums.differences += std::uint64_t(difference);
+    sums.squares += std::uint64_t(difference * difference);
+    largest = std::max(largest, difference);
+  }
+  return largest;
+}
+
+/// Counts the pixel, which is over the tolerance, and makes the box as large as it takes.
+void addOver(int x, int y, Comparison& result) {
+  if (result.pixelsOver++ == 0) {
+    result.boxX = x;
+    result.boxY = y;
+  }
+  // Rows come from the top on, so that none is above the box.
+  const int right = std::max(x + 1, result.boxX + result.boxWidth);
+  result.boxX = std::min(result.boxX, x);
+  result.boxWidth = right - result.boxX;
+  result.boxHeight = y + 1 - result.boxY;
+}
+
 void setFigures(const Sums& sums, Comparison& result) {
-  const double samples = 3.0 * static_cast<double>(result.pixels);
-  result.mean = static_cast<double>(sums.differences) / samples;
-  result.rms = std::sqrt(static_cast<double>(sums.squares) / samples);
+  const double samples = 3.0 * double(result.pixels);
+  result.mean = double(sums.differences) / samples;
+  result.rms = std::sqrt(double(sums.squares) / samples);
   result.psnr = sums.squares == 0 ? std::numeric_limits<double>::infinity()
                                   : 20 * math::log(255 / result.rms) / math::log(10);
 }
 
 std::uint8_t enlarged(int e, int a) {
-  return static_cast<std::uint8_t>(std::min(255, kDifferenceGain * std::abs(e - a)));
+  return std::uint8_t(std::min(255, kDifferenceGain * std::abs(e - a)));
 }
 
 bool holds(const Image& image, int x, int y) { return x < image.Width() && y < image.Height(); }
 
+/// What differencePicture shows at a place.
+Rgb8 differenceAt(const Image& expected, const Image& actual, int x, int y) {
+  const bool isExpected = holds(expected, x, y), isActual = holds(actual, x, y);
+  if (isExpected != isActual) return kOnlyInOne;
+  if (!isExpected) return Rgb8();
+  const Rgb8 e = pixelAt(expected, x, y), a = pixelAt(actual, x, y);
+  return {enlarged(e.r, a.r), enlarged(e.g, a.g), enlarged(e.b, a.b)};
+}
+
 }  // namespace
 
 double Comparison::percentOver() const {
-  return pixels == 0 ? 0 : 100.0 * static_cast<double>(pixelsOver) / static_cast<double>(pixels);
+  return pixels == 0 ? 0 : 100.0 * double(pixelsOver) / double(pixels);
 }
 
 Comparison compare(const Image& expected, const Image& actual, int tolerance) {
@@ -66,29 +83,17 @@ Comparison compare(const Image& expected, const Image& actual, int tolerance) {
   Comparison result;
   result.pixels = std::size_t(expected.Width()) * std::size_t(expected.Height());
   Sums sums;
-  Box box;
   for (int y = 0; y < expected.Height(); ++y) {
     for (int x = 0; x < expected.Width(); ++x) {
-      const Rgb8 e = pixelAt(expected, x, y), a = pixelAt(actual, x, y);
-      const int samples[] = {std::abs(e.r - a.r), std::abs(e.g - a.g), std::abs(e.b - a.b)};
-      for (const int sample : samples) sums.add(sample);
-      const int difference = std::max({samples[0], samples[1], samples[2]});
-      if (difference > result.maximum) {
-        result.maximum = difference;
-        result.worstX = x;
-        result.worstY = y;
-      }
-      if (difference <= tolerance) continue;
-      ++result.pixelsOver;
-      box.add(x, y);
+      const int difference = addDifferences(pixelAt(expected, x, y), pixelAt(actual, x, y), sums);
+      if (difference > tolerance) addOver(x, y, result);
+      if (difference <= result.maximum) continue;
+      result.maximum = difference;
+      result.worstX = x;
+      result.worstY = y;
     }
   }
   setFigures(sums, result);
-  if (result.pixelsOver == 0) return result;
-  result.boxX = box.left;
-  result.boxY = box.top;
-  result.boxWidth = box.right - box.left + 1;
-  result.boxHeight = box.bottom - box.top + 1;
   return result;
 }
 
@@ -97,14 +102,7 @@ Image differencePicture(const Image& expected, const Image& actual) {
                 std::max(expected.Height(), actual.Height()));
   for (int y = 0; y < picture.Height(); ++y) {
     for (int x = 0; x < picture.Width(); ++x) {
-      Rgb8 pixel = kOnlyInOne;
-      if (holds(expected, x, y) && holds(actual, x, y)) {
-        const Rgb8 e = pixelAt(expected, x, y), a = pixelAt(actual, x, y);
-        pixel = {enlarged(e.r, a.r), enlarged(e.g, a.g), enlarged(e.b, a.b)};
-      } else if (!holds(expected, x, y) && !holds(actual, x, y)) {
-        pixel = Rgb8();
-      }
-      picture.setPixel(x, picture.Height() - 1 - y, pixel);
+      picture.setPixel(x, picture.Height() - 1 - y, differenceAt(expected, actual, x, y));
     }
   }
   return picture;

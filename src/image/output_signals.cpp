@@ -14,7 +14,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 
 #include "image/output_file.h"
 
@@ -50,32 +49,20 @@ class Undisturbed {
   sigset_t before_;
 };
 
-// Both change only while one is Undisturbed.
-int passedTo = -1;        // the descriptor of who wants to hear of signals
-long long firstPass = 0;  // when the first signal was passed, in ms; 0: none was
-constexpr long long kPatience = 100;
-
-/// True where someone else will end the program.
-bool pass(int signal) {
-  const Undisturbed whilePassing;
-  struct timespec now = {};
-  if (passedTo < 0 || clock_gettime(CLOCK_MONOTONIC, &now) != 0) return false;
-  const long long time = now.tv_sec * 1000LL + now.tv_nsec / 1000000;
-  if (firstPass == 0) firstPass = time;
-  const auto byte = static_cast<unsigned char>(signal);
-  return time - firstPass <= kPatience && write(passedTo, &byte, 1) == 1;
-}
-
 void removeTemporaries() {
   for (const char* const name : temporaries) {
     if (name) unlink(name);
   }
 }
 
-extern "C" void passOrEnd(int signal) {
-  const int error = errno;  // of what the signal interrupted
-  if (!pass(signal)) endOnSignal(signal);
-  errno = error;
+/// Ends the program with status 128 + `signal`.
+extern "C" void removeAndEnd(int signal) {
+  const Undisturbed untilTheEnd;
+  removeTemporaries();
+  struct pollfd errors = {STDERR_FILENO, POLLOUT, 0};  // a pipe that nobody reads may be full
+  const bool endsLine = isLineOpen() && poll(&errors, 1, 0) == 1;
+  [[maybe_unused]] const ssize_t written = endsLine ? write(STDERR_FILENO, "\n", 1) : 0;
+  _exit(128 + signal);
 }
 
 /// For crashes: SA_RESETHAND has put the default action back, which the second signal meets. Waits
@@ -117,27 +104,13 @@ bool OutputFile::endTemporary(bool isWhole) {
   return true;
 }
 
-void passSignalsTo(int descriptor) {
-  const Undisturbed whileChanging;
-  passedTo = descriptor;
-}
-
-void endOnSignal(int signal) {
-  const Undisturbed untilTheEnd;
-  removeTemporaries();
-  struct pollfd errors = {STDERR_FILENO, POLLOUT, 0};  // a pipe that nobody reads may be full
-  const bool endsLine = isLineOpen() && poll(&errors, 1, 0) == 1;
-  [[maybe_unused]] const ssize_t written = endsLine ? write(STDERR_FILENO, "\n", 1) : 0;
-  _exit(128 + signal);
-}
-
 void setLineOpen(bool isOpen) { isLineOpenNow = isOpen; }
 bool isLineOpen() { return isLineOpenNow; }
 
 void removeTemporaryOnSignals() {
   for (const int signal :
        {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU}) {
-    install(signal, passOrEnd, SA_RESTART);
+    install(signal, removeAndEnd, SA_RESTART);
   }
   for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGTRAP, SIGSYS}) {
     install(signal, removeAndCrash, static_cast<int>(SA_RESETHAND));

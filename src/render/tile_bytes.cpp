@@ -1,133 +1,120 @@
-// The pixels of a tile as bytes. A table names the kinds of pictures in the order of their bits, so
-// that every function goes through them in that one order.
+// Tiles as bytes. Every function goes through the pictures in the one order of forEachPicture, and
+// none tells bytes from floats: a pixel is its bytes in memory, NaN and all. (On a machine of the
+// other byte order, a kept tile would be another one: it is for the machine that has made it.)
 #include "render/tile_bytes.h"
 
-#include <cassert>
 #include <cstring>
 
 namespace {
 
-/// Where RenderTargets has a picture: bytes or exact floats, the other one being null.
-struct Kind {
-  Image* RenderTargets::*image;
-  FloatImage* RenderTargets::*exact;
+static_assert(sizeof(Rgb8) == 3 && sizeof(Vec3f) == 12, "pixels lie side by side");
 
-  bool isIn(const RenderTargets& targets) const {
-    return image ? targets.*image != nullptr : targets.*exact != nullptr;
-  }
-  int zoomIn(const RenderTargets& targets) const {
-    return image == &RenderTargets::samples ? targets.samplesZoom : 1;
-  }
-  std::size_t bytesOfPixel() const { return image ? 3 : 12; }
-};
-
-constexpr Kind kKinds[kPictureKinds] = {
-    {&RenderTargets::color, nullptr},        {&RenderTargets::depth, nullptr},
-    {&RenderTargets::normals, nullptr},      {&RenderTargets::samples, nullptr},
-    {nullptr, &RenderTargets::exactColor},   {nullptr, &RenderTargets::exactDepth},
-    {nullptr, &RenderTargets::exactNormals}, {&RenderTargets::materials, nullptr}};
-
-/// Calls visit(kind, x, y) for all pixels of `area` in all pictures, in their order.
+/// Calls visit(bit, picture, zoom) for each picture that there is, an Image or a FloatImage. Exact
+/// floats have bits of their own, but never come without the picture of the same name.
 template <class Visit>
-void forEachPixel(const RenderTargets& targets, const PixelRectangle& area, const Visit& visit) {
-  for (const Kind& kind : kKinds) {
-    if (!kind.isIn(targets)) continue;
-    const int zoom = kind.zoomIn(targets);
+void forEachPicture(const RenderTargets& targets, const Visit& visit) {
+  const auto offer = [&visit](int bit, auto* picture, int zoom) {
+    if (picture) visit(std::uint32_t(1) << bit, *picture, zoom);
+  };
+  offer(0, targets.color, 1);
+  offer(1, targets.depth, 1);
+  offer(2, targets.normals, 1);
+  offer(3, targets.samples, targets.samplesZoom);
+  offer(4, targets.exactColor, 1);
+  offer(5, targets.exactDepth, 1);
+  offer(6, targets.exactNormals, 1);
+  offer(7, targets.materials, 1);
+}
+
+/// Calls visit(picture, x, y, width) for the rows of `area` in the pictures that are named: `width`
+/// pixels from (x, y) on.
+template <class Visit>
+void forEachRow(const RenderTargets& targets, std::uint32_t pictures, const PixelRectangle& area,
+                const Visit& visit) {
+  forEachPicture(targets, [&](std::uint32_t bit, auto& picture, int zoom) {
+    if ((pictures & bit) == 0) return;
     for (int y = area.bottom * zoom; y < area.top * zoom; ++y) {
-      for (int x = area.left * zoom; x < area.right * zoom; ++x) visit(kind, x, y);
+      visit(picture, area.left * zoom, y, area.width() * zoom);
     }
-  }
+  });
 }
 
-/// The bits as they are, NaN included.
-void appendFloat(float value, Bytes& bytes) {
-  std::uint32_t bits = 0;
-  static_assert(sizeof bits == sizeof value);
-  std::memcpy(&bits, &value, sizeof bits);
-  appendNumber(bits, bytes);
+/// The pixels that the pictures have, enlarged ones counted as if they were not.
+PixelRectangle wholeArea(const RenderTargets& targets) {
+  PixelRectangle whole = {0, 0, 0, 0};
+  forEachPicture(targets, [&whole](std::uint32_t, const auto& picture, int zoom) {
+    whole = {0, 0, picture.Width() / zoom, picture.Height() / zoom};
+  });
+  return whole;
 }
 
-float floatAt(const std::uint8_t* bytes) {
-  const std::uint32_t bits = numberAt(bytes);
-  float value = 0;
-  std::memcpy(&value, &bits, sizeof bits);
-  return value;
+/// How many tiles it takes to hold so many pixels of a row or a column.
+std::uint32_t tilesAlong(int pixels) {
+  return std::uint32_t((pixels + TileStore::kSide - 1) / TileStore::kSide);
 }
 
 }  // namespace
 
 std::uint32_t pictureBits(const RenderTargets& targets) {
   std::uint32_t bits = 0;
-  for (int i = 0; i < kPictureKinds; ++i) bits |= std::uint32_t(kKinds[i].isIn(targets)) << i;
+  forEachPicture(targets, [&bits](std::uint32_t bit, const auto&, int) { bits |= bit; });
   return bits;
 }
 
-/// Exact floats have bits of their own, but never come without the picture of the same name.
-RenderTargets withPictures(const RenderTargets& targets, std::uint32_t bits) {
-  RenderTargets some = targets;
-  for (int i = 0; i < kPictureKinds; ++i) {
-    if ((bits >> i & 1) != 0) continue;
-    if (kKinds[i].image) some.*kKinds[i].image = nullptr;
-    if (kKinds[i].exact) some.*kKinds[i].exact = nullptr;
-  }
-  return some;
+std::size_t tileCount(const RenderTargets& targets) {
+  const PixelRectangle whole = wholeArea(targets);
+  return std::size_t(tilesAlong(whole.right)) * tilesAlong(whole.top);
 }
 
-PixelRectangle wholeArea(const RenderTargets& targets) {
-  for (const Kind& kind : kKinds) {
-    if (!kind.image || !kind.isIn(targets)) continue;
-    const Image& image = *(targets.*kind.image);
-    const int zoom = kind.zoomIn(targets);
-    return {0, 0, image.Width() / zoom, image.Height() / zoom};
-  }
-  assert(false);
-  return {0, 0, 0, 0};
+PixelRectangle tileArea(const RenderTargets& targets, std::uint32_t number) {
+  const PixelRectangle whole = wholeArea(targets);
+  const std::uint32_t columns = tilesAlong(whole.right);
+  const int left = int(number % columns) * TileStore::kSide;
+  const int bottom = int(number / columns) * TileStore::kSide;
+  return {left, bottom, std::min(left + TileStore::kSide, whole.right),
+          std::min(bottom + TileStore::kSide, whole.top)};
 }
 
-std::size_t tileByteCount(const RenderTargets& targets, const PixelRectangle& area) {
+std::vector<std::uint32_t> tilesIn(const RenderTargets& targets, const PixelRectangle& area) {
+  const std::uint32_t columns = tilesAlong(wholeArea(targets).right);
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t j = tilesAlong(area.bottom); j < tilesAlong(area.top); ++j) {
+    for (std::uint32_t i = tilesAlong(area.left); i < tilesAlong(area.right); ++i) {
+      numbers.push_back(j * columns + i);
+    }
+  }
+  return numbers;
+}
+
+std::size_t tileByteCount(const RenderTargets& targets, std::uint32_t pictures,
+                          const PixelRectangle& area) {
   std::size_t bytes = 0;
-  for (const Kind& kind : kKinds) {
-    const auto zoom = std::size_t(kind.zoomIn(targets));
-    if (kind.isIn(targets)) bytes += area.pixelCount() * zoom * zoom * kind.bytesOfPixel();
-  }
+  forEachRow(targets, pictures, area, [&bytes](const auto& picture, int x, int y, int width) {
+    bytes += sizeof picture.getPixel(x, y) * std::size_t(width);
+  });
   return bytes;
 }
 
 /// Called while other threads write to other tiles: it reads no pixel outside `area`.
-Bytes tileBytes(const RenderTargets& targets, const PixelRectangle& area) {
-  Bytes bytes;
-  bytes.reserve(tileByteCount(targets, area));
-  forEachPixel(targets, area, [&](const Kind& kind, int x, int y) {
-    if (kind.image) {
-      const Rgb8 pixel = (targets.*kind.image)->getPixel(x, y);
-      bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
-    } else {
-      const Vec3f& color = (targets.*kind.exact)->getPixel(x, y);
-      for (const float value : {color.x(), color.y(), color.z()}) appendFloat(value, bytes);
-    }
+Bytes tileBytes(const RenderTargets& targets, std::uint32_t pictures, const PixelRectangle& area) {
+  Bytes bytes(tileByteCount(targets, pictures, area));
+  std::uint8_t* next = bytes.data();
+  forEachRow(targets, pictures, area, [&next](const auto& picture, int x, int y, int width) {
+    const std::size_t size = sizeof picture.getPixel(x, y) * std::size_t(width);
+    std::memcpy(next, &picture.getPixel(x, y), size);
+    next += size;
   });
   return bytes;
 }
 
-void setTileBytes(const RenderTargets& targets, const PixelRectangle& area,
+void setTileBytes(const RenderTargets& targets, std::uint32_t pictures, const PixelRectangle& area,
                   const std::uint8_t* bytes) {
-  forEachPixel(targets, area, [&](const Kind& kind, int x, int y) {
-    if (kind.image) {
-      (targets.*kind.image)->setPixel(x, y, Rgb8{bytes[0], bytes[1], bytes[2]});
-    } else {
-      const Vec3f color(floatAt(bytes), floatAt(bytes + 4), floatAt(bytes + 8));
-      (targets.*kind.exact)->setPixel(x, y, color);
+  forEachRow(targets, pictures, area, [&bytes](auto& picture, int x, int y, int width) {
+    for (int i = 0; i < width; ++i) {
+      auto pixel = picture.getPixel(x + i, y);
+      std::memcpy(&pixel, bytes, sizeof pixel);
+      picture.setPixel(x + i, y, pixel);
+      bytes += sizeof pixel;
     }
-    bytes += kind.bytesOfPixel();
   });
-}
-
-void appendNumber(std::uint32_t number, Bytes& bytes) {
-  for (int i = 0; i < 4; ++i) bytes.push_back(std::uint8_t(number >> (8 * i) & 255));
-}
-
-std::uint32_t numberAt(const std::uint8_t* bytes) {
-  std::uint32_t number = 0;
-  for (int i = 0; i < 4; ++i) number |= std::uint32_t(bytes[i]) << (8 * i);
-  return number;
 }
