@@ -1,37 +1,22 @@
-// One pixel of a picture, looked into: its rays are traced once more, and two observers keep what
-// becomes of them, one as text and one as lines in space.
+// One pixel of a picture, looked into: its rays are traced once more, and observers keep what
+// becomes of them, such as RayLines, which draws them in space.
 #pragma once
 #include <array>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "geometry/object3d.h"
 #include "render/render_options.h"
-#include "render/report_words.h"
+#include "render/renderer.h"
 #include "render/watched_tracer.h"
 #include "scene/scene_parser.h"
 
-/// A pixel, counted from 0 from the lower left corner, of a picture of width x height.
-struct PixelOfPicture {
-  int width, height, i, j;
-};
-
-/// Tells each of the observers, one after the other, what becomes of the ray through the pixel's
-/// centre. Returns the pixel's colour, in which other samples may have a share: to the last bit
-/// that of a whole picture, unclamped. `geometry` answers for the scene's objects. Traces on
-/// threads of its own, for as much stack as the bounces need.
+/// Tells each of the observers, one after the other, what becomes of the ray through the centre
+/// of the pixel at the corner of `place`. Returns the pixel's colour, in which other samples may
+/// have a share: to the last bit that of a whole picture, unclamped. `geometry` answers for the
+/// scene's objects. Traces on threads of its own, for as much stack as the bounces need.
 Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-                 const PixelOfPicture& place, const std::vector<RayObserver*>& observers);
-
-/// An observer that writes the tree of rays as text: a line for each fact, in plain ASCII, two
-/// blanks for each step down. `writeLine` takes one line after the other, each with its end.
-/// `names` and `geometry`, which answers for the scene's objects, are not owned; `options` are
-/// those of the tracer.
-std::unique_ptr<RayObserver> makeRayReport(const SceneNames& names, const Object3D& geometry,
-                                           const RenderOptions& options,
-                                           std::function<void(const std::string& line)> writeLine);
+                 const PictureWindow& place, const std::vector<RayObserver*>& observers);
 
 /// An observer that keeps rays as lines in space, for a modeller or mesh viewer.
 class RayLines : public RayObserver {
@@ -41,9 +26,10 @@ class RayLines : public RayObserver {
   RayLines(const Object3D& geometry, const RenderOptions& options, double escapeLength)
       : geometry_(geometry), options_(options), escapeLength_(escapeLength) {}
 
-  void rayBegins(const RayBegin& ray) override;
+  void rayBegins(RayKind kind, int bounces, const TracedRay& ray) override;
   void rayMeets(const Hit* hit) override;
-  void lightAnswers(const LightVerdict& verdict) override;
+  void lightAnswers(int light, const LightSample& sample, const ShadowQuery* shadowRay,
+                    const Vec3f& visible) override;
 
   /// All lines as a Wavefront OBJ file in the scene's units, at least one object for each kind of
   /// ray that there is, named by the kind: eye, mirror, refracted, and the shadow rays that are

@@ -37,10 +37,13 @@ class RayCounts : public RayObserver {
     addMisses(other.misses_);
   }
 
-  void rayBegins(const RayBegin& ray) override { addRays(ray.kind, ray.bounces, 1); }
+  void rayBegins(RayKind kind, int bounces, const TracedRay&) override {
+    addRays(kind, bounces, 1);
+  }
   void rayMeets(const Hit* hit) override { addMisses(hit ? 0 : 1); }
-  void lightAnswers(const LightVerdict& verdict) override {
-    if (verdict.castShadowRay) addShadowRays(1, verdict.visible == Vec3f() ? 1 : 0);
+  void lightAnswers(int, const LightSample&, const ShadowQuery* shadowRay,
+                    const Vec3f& visible) override {
+    if (shadowRay) addShadowRays(1, visible == Vec3f() ? 1 : 0);
   }
   void branchEnds(RayKind, Outcome why, float) override { ++ends_[std::size_t(why)]; }
 

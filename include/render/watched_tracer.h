@@ -10,28 +10,6 @@
 enum class RayKind { eye, mirror, refracted };
 inline constexpr int kRayKinds = 3;
 
-/// A ray that is about to be traced.
-struct RayBegin {
-  RayKind kind;
-  const Ray& ray;
-  int bounces;              ///< how many secondary rays came before it
-  float weight;             ///< the share that its colour has in the pixel
-  float indexOfRefraction;  ///< of the medium it travels in
-  double tmin;              ///< it meets what lies at t > tmin
-  Vec3f factor;             ///< of its colour in that of the ray it continues; white for an eye ray
-};
-
-/// What came of one light at one hit.
-struct LightVerdict {
-  int light;                 ///< its number in the scene
-  bool isInFront;            ///< false where the surface is turned away: nothing more was asked
-  bool castShadowRay;        ///< whether anything in the way was looked for
-  Vec3f visible;             ///< the part of its colour that arrives; black where it is blocked
-  Vec3d direction;           ///< unit, to the light
-  double distance;           ///< to the light, perhaps infinite
-  const ShadowQuery* query;  ///< the shadow ray; null where none was cast
-};
-
 /// The terms of the sum.
 enum class ColorTerm { ambient, lights, mirror, transmitted };
 
@@ -41,8 +19,8 @@ class RayObserver {
  public:
   virtual ~RayObserver() = default;
 
-  /// An eye ray, or a secondary one inside the ray it continues.
-  virtual void rayBegins(const RayBegin&) {}
+  /// An eye ray, or a secondary one inside the ray it continues, `bounces` others before it.
+  virtual void rayBegins(RayKind, int /*bounces*/, const TracedRay&) {}
   /// A surface that changes nothing (RenderOptions::nestedDielectrics), which the ray goes through
   /// before what rayMeets tells of.
   virtual void surfaceIsPassed(const Hit&) {}
@@ -55,8 +33,11 @@ class RayObserver {
   /// `material` alone, whose colour has the share `share` in the ray's, 0 to 1.
   virtual void componentBegins(const Material& /*material*/, double /*share*/) {}
   virtual void componentEnds(const Vec3f& /*color*/) {}
-  /// Once for each light, in the scene's order.
-  virtual void lightAnswers(const LightVerdict&) {}
+  /// Once for each light, in the scene's order: its number, and what the surface sees of it.
+  /// `shadowRay` is null where none was cast, as towards a light that the surface is turned away
+  /// from; of the light's colour the part `visible` arrives, black where it is blocked.
+  virtual void lightAnswers(int /*light*/, const LightSample&, const ShadowQuery* /*shadowRay*/,
+                            const Vec3f& /*visible*/) {}
   /// What the light that has answered last brings, where anything of it arrives.
   virtual void lightAdds(const Vec3d& /*color*/) {}
   /// A branch that the material asks for is not followed: tooManyBounces, tooFaint (then `weight`

@@ -9,7 +9,7 @@
 #include "cli/run_display.h"
 #include "render/false_colors.h"
 #include "render/pixel_trace.h"
-#include "render/report_words.h"
+#include "render/ray_report.h"
 
 namespace {
 
@@ -100,7 +100,7 @@ std::string inspectPixel(const InspectedScene& inspected, const RenderRequest& r
   Output* const obj = findOutput(outputs, OutputRequest::Kind::rays);
   std::vector<RayObserver*> observers = {report.get()};
   if (obj) observers.push_back(&lines);
-  const PixelOfPicture place = {picture.width, picture.height, at.x, picture.height - 1 - at.y};
+  const PictureWindow place = {at.x, picture.height - 1 - at.y, picture.width, picture.height};
   const Vec3f color =
       tracePixel(inspected.scene, inspected.geometry, picture.render, place, observers);
   if (obj) obj->text = lines.obj();

@@ -15,7 +15,7 @@
 #include <numeric>
 
 #include "render/ray_counts.h"
-#include "render/report_words.h"
+#include "render/ray_report.h"
 #include "render/sample_tracing.h"
 #include "render/tiles.h"
 

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "math/functions.h"
-#include "render/transmittance.h"
 #include "shading/solid_texture.h"
 
 namespace {
@@ -27,17 +26,12 @@ std::tuple<float, float, float, float> opticsOf(const Material& material) {
 Media::Media(const Object3D& geometry, const SolidObjects* solids, const Ray& line)
     : solids_(solids) {
   geometry.visitCrossings(line, *this);
-  std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
-    if (a.object != b.object) return std::less<>()(a.object, b.object);
-    return std::make_tuple(a.t, a.leaving) < std::make_tuple(b.t, b.leaving);
-  });
+  sortByObject(crossings_);
   std::vector<Stay> stays;
-  for (Place first = crossings_.begin(); first != crossings_.end();) {
-    const Place last = endOfObject(first);
+  forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {
     const std::vector<Stay> found = staysIn(first, last);
     stays.insert(stays.end(), found.begin(), found.end());
-    first = last;
-  }
+  });
   findLayers(stays);
 }
 
@@ -46,14 +40,9 @@ void Media::visit(const Crossing& crossing) {
   crossings_.push_back(crossing);
 }
 
-Media::Place Media::endOfObject(Place first) const {
-  return std::find_if(first, crossings_.end(),
-                      [&](const Crossing& c) { return c.object != first->object; });
-}
-
 /// From the last crossing backwards, as nothing contains the line's far end. A mesh that is inside
 /// out counts with the other sign.
-std::vector<Media::Stay> Media::staysIn(Place first, Place last) const {
+std::vector<Media::Stay> Media::staysIn(CrossingPlace first, CrossingPlace last) const {
   const Medium medium = {first->object, first->material};
   const double volume = solids_ ? solids_->volumeOf(first->object) : kInf;
   std::vector<Stay> stays;
@@ -124,14 +113,12 @@ bool Media::isClosed(const Object3D* object) const {
 
 Vec3f Media::tintOfAll(double t, const Vec3d& end, double length) const {
   std::vector<Vec3f> tints;
-  for (Place first = crossings_.begin(); first != crossings_.end();) {
-    const Place last = endOfObject(first);
+  forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {
     int count = 0;
-    for (Place c = first; c != last; ++c) count += c->t > t ? countOf(*c) : 0;
+    for (CrossingPlace c = first; c != last; ++c) count += c->t > t ? countOf(*c) : 0;
     const Vec3f color = transparencyAt(*first->material, end);
     if (count != 0) tints.push_back(absorption(color, std::abs(count) * length));
-    first = last;
-  }
+  });
   // Multiplied in an order that does not depend on the order of visits.
   std::sort(tints.begin(), tints.end(), [](const Vec3f& a, const Vec3f& b) {
     return std::make_tuple(a.r(), a.g(), a.b()) < std::make_tuple(b.r(), b.g(), b.b());

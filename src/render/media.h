@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/object3d.h"
+#include "render/transmittance.h"
 #include "scene/solid_objects.h"
 #include "shading/material.h"
 
@@ -53,12 +54,9 @@ class Media : private CrossingVisitor {
     double from;
     Medium medium;
   };
-  using Place = std::vector<Crossing>::const_iterator;
 
   void visit(const Crossing& crossing) override;
-  /// Behind the last crossing of the object of `first`.
-  Place endOfObject(Place first) const;
-  std::vector<Stay> staysIn(Place first, Place last) const;
+  std::vector<Stay> staysIn(CrossingPlace first, CrossingPlace last) const;
   static bool isStronger(const Stay& a, const Stay& b);
   void findLayers(const std::vector<Stay>& stays);
 

@@ -35,12 +35,12 @@ const Image* anyOf(const RenderTargets& targets) {
   return targets.materials;
 }
 
-/// The size of the pictures in pixels.
+/// The size of the pictures in pixels. One target is given at least.
 Vec2<int> sizeOf(const RenderTargets& targets) {
-  if (const Image* image = anyOf(targets)) return {image->Width(), image->Height()};
-  const int zoom = targets.samplesZoom;
-  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): one target is given at least
-  return {targets.samples->Width() / zoom, targets.samples->Height() / zoom};
+  const Image* const image = anyOf(targets);
+  const Image& given = image ? *image : *targets.samples;
+  const int zoom = image ? 1 : targets.samplesZoom;
+  return {given.Width() / zoom, given.Height() / zoom};
 }
 
 /// What the camera sees: the whole picture, which the targets may be a window of.

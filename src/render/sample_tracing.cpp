@@ -22,19 +22,17 @@ namespace {
 constexpr int kGroupSamples = 1 << 16;
 constexpr int kMostInGroup = 1024;
 
-using ColorReceiver = std::function<void(const Sample& sample, const Vec3f& color)>;
-
 /// Traces the samples from <= n < to of each pixel, kBatchSize of them together, and hands them
 /// over in that order.
 void traceSamples(const SampleSource& source, const std::vector<Pixel>& pixels, int from, int to,
-                  const ColorReceiver& receiver) {
+                  const SampleReceiver& receiver) {
   std::vector<Sample> samples;
   RayBatch rays;  // as many
   const auto traceBatch = [&] {
     Hit hits[kBatchSize];
     Vec3f colors[kBatchSize];
     source.tracer.trace(rays, 0, hits, colors);
-    for (std::size_t k = 0; k < samples.size(); ++k) receiver(samples[k], colors[k]);
+    for (std::size_t k = 0; k < samples.size(); ++k) receiver(samples[k], colors[k], 1);
     samples.clear();
     rays.clear();
   };
@@ -96,7 +94,7 @@ class AdaptiveSampling {
 
   /// Traces samples from <= n < to of each pixel.
   void take(const std::vector<Pixel>& pixels, int from, int to) {
-    traceSamples(source_, pixels, from, to, [&](const Sample& sample, const Vec3f& color) {
+    traceSamples(source_, pixels, from, to, [&](const Sample& sample, const Vec3f& color, double) {
       SampledPixel& pixel = (*this)[sample.at];
       pixel.samples.push_back({sample.offset, color});
       pixel.range.add(color);
@@ -145,6 +143,5 @@ Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample&
 void takeSamples(const SampleSource& source, const PixelRectangle& area,
                  const SampleReceiver& receiver) {
   if (source.sampler.isAdaptive()) return AdaptiveSampling(source, area).takeAll(receiver);
-  traceSamples(source, pixelsInOrder(area), 0, source.sampler.getNumSamples(),
-               [&](const Sample& sample, const Vec3f& color) { receiver(sample, color, 1); });
+  traceSamples(source, pixelsInOrder(area), 0, source.sampler.getNumSamples(), receiver);
 }

@@ -1,11 +1,12 @@
-// Transmittance: gathers all crossings of a shadow ray, then multiplies object by object.
+// Transmittance: gathers all crossings of a shadow ray, then multiplies object by object. A blocker
+// is looked for apart: a shadow ray ends at the first surface that it finds, which need not be the
+// nearest one.
 #include "render/transmittance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <tuple>
-#include <vector>
 
 #include "math/functions.h"
 #include "shading/solid_texture.h"
@@ -43,21 +44,15 @@ class ShadowRay : public CrossingVisitor {
   Vec3f result() {
     if (blocked_) return Vec3f();
     // Sums and products are taken in an order that does not depend on the order of visits.
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
-      if (a.object != b.object) return std::less<>()(a.object, b.object);
-      return std::make_tuple(a.t, a.leaving) < std::make_tuple(b.t, b.leaving);
-    });
+    sortByObject(crossings_);
     std::vector<Filter> filters;
-    for (auto first = crossings_.begin(); first != crossings_.end();) {
-      const auto last = std::find_if(first, crossings_.end(),
-                                     [&](const Crossing& c) { return c.object != first->object; });
+    forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {
       if (first->material->asTexture()) {
         addTextured(first, last, filters);
       } else {
         filters.push_back(filterOf(first, last));
       }
-      first = last;
-    }
+    });
     std::sort(filters.begin(), filters.end(), filterLess);
     Vec3f product(1, 1, 1);
     for (const Filter& filter : filters) product *= absorption(filter.color, filter.exponent);
@@ -65,16 +60,14 @@ class ShadowRay : public CrossingVisitor {
   }
 
  private:
-  using Iterator = std::vector<Crossing>::const_iterator;
-
   /// The crossings of one object. The length inside is the sum of the places where the ray leaves
   /// less those where it enters, none counted beyond the light: an object that holds the light or
   /// the ray's origin comes out right as well, and one that is inside out differs in sign.
-  Filter filterOf(Iterator first, Iterator last) const {
+  Filter filterOf(CrossingPlace first, CrossingPlace last) const {
     const Vec3f color = first->material->getTransparentColor();
     if (!first->closed) return {color, double(last - first)};
     double inside = 0;
-    for (Iterator c = first; c != last; ++c) {
+    for (CrossingPlace c = first; c != last; ++c) {
       const double t = std::min(c->t, distance_);
       inside += c->leaving ? t : -t;
     }
@@ -84,9 +77,9 @@ class ShadowRay : public CrossingVisitor {
   /// The crossings of one textured object: a filter for each stretch of the way inside it, or for
   /// each crossing where it is open. From the light's end of the ray on, a surface that the light
   /// leaves by ends the stretch that began last.
-  void addTextured(Iterator first, Iterator last, std::vector<Filter>& filters) const {
-    std::vector<Iterator> begun;
-    for (Iterator c = last; c != first;) {
+  void addTextured(CrossingPlace first, CrossingPlace last, std::vector<Filter>& filters) const {
+    std::vector<CrossingPlace> begun;
+    for (CrossingPlace c = last; c != first;) {
       --c;
       if (!c->closed) {
         filters.push_back({colorAt(*c), 1});
@@ -97,7 +90,7 @@ class ShadowRay : public CrossingVisitor {
         begun.pop_back();
       }
     }
-    for (const Iterator c : begun) addStretch(nullptr, *c, filters);
+    for (const CrossingPlace c : begun) addStretch(nullptr, *c, filters);
   }
 
   /// The stretch between `near` (null where the ray begins inside) and `far`. Its colour is that of
@@ -118,6 +111,25 @@ class ShadowRay : public CrossingVisitor {
   double epsilon_, distance_;
   bool blocked_ = false;
   std::vector<Crossing> crossings_;
+};
+
+/// Keeps the nearest crossing of a shadow ray with a surface that is opaque there.
+class OpaqueCrossing : public CrossingVisitor {
+ public:
+  explicit OpaqueCrossing(const ShadowQuery& query) : query_(query) {}
+
+  void visit(const Crossing& crossing) override {
+    const double nearest = found_ ? found_->t : query_.tmax;
+    if (!(crossing.t > query_.tmin && crossing.t < nearest)) return;
+    const Vec3d point = query_.ray.pointAtParameter(crossing.t);
+    if (anyPositive(transparencyAt(*crossing.material, point))) return;
+    found_ = Blocker{crossing.object, std::nullopt, crossing.t};
+  }
+  const std::optional<Blocker>& found() const { return found_; }
+
+ private:
+  const ShadowQuery& query_;
+  std::optional<Blocker> found_;
 };
 
 }  // namespace
@@ -144,4 +156,23 @@ Vec3f absorption(const Vec3f& transparentColor, double length) {
     result[axis] = float(math::pow(std::max(transparentColor[axis], 0.0f), length));
   }
   return result;
+}
+
+std::optional<Blocker> findBlocker(const Object3D& geometry, const ShadowQuery& query,
+                                   bool transparentShadows) {
+  if (transparentShadows) {
+    OpaqueCrossing visitor(query);
+    geometry.visitCrossings(query.ray, visitor);
+    return visitor.found();
+  }
+  Hit hit(query.tmax);
+  if (!geometry.intersect(query.ray, hit, query.tmin)) return std::nullopt;
+  return Blocker{hit.getObject(), hit.getFace(), hit.getT()};
+}
+
+void sortByObject(std::vector<Crossing>& crossings) {
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    if (a.object != b.object) return std::less<>()(a.object, b.object);
+    return std::make_tuple(a.t, a.leaving) < std::make_tuple(b.t, b.leaving);
+  });
 }

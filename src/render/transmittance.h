@@ -1,5 +1,10 @@
-// Transmittance: how much of a light comes through the transparent objects in its way.
+// What lies in the way of light: how much comes through transparent objects, and what blocks it.
 #pragma once
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 #include "geometry/object3d.h"
 #include "math/vec3.h"
 
@@ -18,3 +23,33 @@ Vec3f transparencyAt(const Material& material, const Vec3d& point);
 
 /// transparentColor^length in each component, negative ones taken as 0; length >= 0.
 Vec3f absorption(const Vec3f& transparentColor, double length);
+
+/// What stands in the way of a light.
+struct Blocker {
+  const Object3D* object;             ///< not owned
+  std::optional<std::uint32_t> face;  ///< of a mesh, where that is known
+  double t;                           ///< along the shadow ray
+};
+
+/// The nearest surface on the way to the light that lets nothing of it through, where there is one:
+/// any surface, or with `transparentShadows` only one that is opaque where it is crossed.
+std::optional<Blocker> findBlocker(const Object3D& geometry, const ShadowQuery& query,
+                                   bool transparentShadows);
+
+/// Brings crossings in an order that does not depend on that of the visits: those of an object
+/// together, by t, and those at the same t that enter it first.
+void sortByObject(std::vector<Crossing>& crossings);
+
+using CrossingPlace = std::vector<Crossing>::const_iterator;
+
+/// Calls visit(first, last) for the crossings first <= c < last of each object, which are together.
+template <class Visit>
+void forEachObject(const std::vector<Crossing>& crossings, const Visit& visit) {
+  for (CrossingPlace first = crossings.begin(); first != crossings.end();) {
+    const CrossingPlace last = std::find_if(first, crossings.end(), [&](const Crossing& crossing) {
+      return crossing.object != first->object;
+    });
+    visit(first, last);
+    first = last;
+  }
+}

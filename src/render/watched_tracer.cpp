@@ -6,7 +6,7 @@ Vec3f WatchedTracer::traceRay(Ray& ray, float tmin, int bounces, float weight,
                               float indexOfRefraction, Hit& hit) const {
   // Secondary rays have been told of where they began, in branch().
   if (bounces == 0) {
-    observer_.rayBegins({RayKind::eye, ray, 0, weight, indexOfRefraction, double(tmin), {1, 1, 1}});
+    observer_.rayBegins(RayKind::eye, 0, {ray, double(tmin), weight, indexOfRefraction, {1, 1, 1}});
   }
   const Vec3f color = RayTracer::traceRay(ray, tmin, bounces, weight, indexOfRefraction, hit);
   observer_.rayEnds(color);
@@ -49,8 +49,7 @@ Vec3d WatchedTracer::light(int index, const Surface& s) const {
   const Vec3f visible = light.isInFront ? visibility(s, light) : Vec3f();
   ShadowQuery query;
   if (isAsked) shader().setShadowQuery(s, light, query);
-  observer_.lightAnswers({index, light.isInFront, isAsked, visible, light.direction, light.distance,
-                          isAsked ? &query : nullptr});
+  observer_.lightAnswers(index, light, isAsked ? &query : nullptr, visible);
   if (visible == Vec3f()) return Vec3d();
   const Vec3d added = shader().reflected(s, light, visible);
   observer_.lightAdds(added);
@@ -77,7 +76,6 @@ Vec3d WatchedTracer::branch(RayKind kind, const Surface& s, Outcome outcome,
     observer_.branchEnds(kind, outcome, next.weight);
     return Vec3d();
   }
-  observer_.rayBegins(
-      {kind, next.ray, s.bounces + 1, next.weight, next.indexOfRefraction, next.tmin, next.factor});
+  observer_.rayBegins(kind, s.bounces + 1, next);
   return follow(s, next);
 }

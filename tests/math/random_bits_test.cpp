@@ -1,7 +1,6 @@
 // Random numbers without a state.
-#include "math/functions.h"
-
 #include "check.h"
+#include "math/functions.h"
 
 TEST("the sequence that starts at 0 is the published one of SplitMix64") {
   // The first outputs of the authors' own program (Vigna, splitmix64.c, 2015) for the state 0.

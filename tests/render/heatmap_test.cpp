@@ -1,11 +1,10 @@
 // How many rays each pixel takes.
-#include "render/false_colors.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "accel/compiled_scene.h"
 #include "check.h"
+#include "render/false_colors.h"
 #include "render/ray_counts.h"
 #include "render/renderer.h"
 #include "scene_text.h"

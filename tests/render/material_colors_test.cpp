@@ -1,9 +1,8 @@
 // Colours that tell materials apart.
-#include "render/false_colors.h"
-
 #include <set>
 
 #include "check.h"
+#include "render/false_colors.h"
 #include "render/renderer.h"
 #include "scene_text.h"
 

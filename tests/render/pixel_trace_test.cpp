@@ -44,7 +44,7 @@ void compare(const RenderOptions& options) {
     for (int i = 0; i < kWidth; ++i) {
       LastColor first, second;
       const Vec3f color =
-          tracePixel(scene, geometry, options, {kWidth, kHeight, i, j}, {&first, &second});
+          tracePixel(scene, geometry, options, {i, j, kWidth, kHeight}, {&first, &second});
       different += color != exact.getPixel(i, j);
       if (options.sampling.isPlain()) CHECK(first.color == color && second.color == color);
     }
@@ -83,9 +83,9 @@ TEST("a pixel can be traced as deep as the most bounces allow") {
       "Group { numObjects 2 MaterialIndex 0 Plane { normal 0 0 1 offset -1 }\n"
       "                                     Plane { normal 0 0 -1 offset -9 } }\n");
   struct Depth : RayObserver {
-    void rayBegins(const RayBegin& ray) override { most = ray.bounces; }
+    void rayBegins(RayKind, int bounces, const TracedRay&) override { most = bounces; }
     int most = 0;
   } depth;
-  tracePixel(scene, *scene.getGroup(), scene_text::bouncing(kMaxBounces), {1, 1, 0, 0}, {&depth});
+  tracePixel(scene, *scene.getGroup(), scene_text::bouncing(kMaxBounces), {0, 0, 1, 1}, {&depth});
   CHECK_EQUAL(depth.most, kMaxBounces);
 }

@@ -14,18 +14,19 @@ namespace {
 /// A line for each event, in order.
 class Log : public RayObserver {
  public:
-  void rayBegins(const RayBegin& ray) override {
+  void rayBegins(RayKind kind, int bounces, const TracedRay&) override {
     constexpr const char* kNames[] = {"eye", "mirror", "refracted"};
-    text_ += std::string(kNames[int(ray.kind)]) + " " + std::to_string(ray.bounces) + " (";
+    text_ += std::string(kNames[int(kind)]) + " " + std::to_string(bounces) + " (";
   }
   void rayMeets(const Hit* hit) override { text_ += hit ? "hit " : "nothing "; }
-  void lightAnswers(const LightVerdict& verdict) override {
-    text_ += "light" + std::to_string(verdict.light);
-    text_ += !verdict.isInFront           ? "-behind "
-             : !verdict.castShadowRay     ? "-unasked "
-             : verdict.visible == Vec3f() ? "-blocked "
-             : verdict.visible == white() ? "-open "
-                                          : "-tinted ";
+  void lightAnswers(int light, const LightSample& sample, const ShadowQuery* shadowRay,
+                    const Vec3f& visible) override {
+    text_ += "light" + std::to_string(light);
+    text_ += !sample.isInFront    ? "-behind "
+             : !shadowRay         ? "-unasked "
+             : visible == Vec3f() ? "-blocked "
+             : visible == white() ? "-open "
+                                  : "-tinted ";
   }
   void branchEnds(RayKind kind, Outcome why, float) override {
     text_ += std::string(kind == RayKind::mirror ? "no-mirror-" : "no-refraction-") +

@@ -1,7 +1,7 @@
 // The tree of rays in words.
+#include "render/ray_report.h"
+
 #include "check.h"
-#include "render/pixel_trace.h"
-#include "render/watched_tracer.h"
 #include "scene_text.h"
 
 namespace {

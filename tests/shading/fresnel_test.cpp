@@ -1,7 +1,6 @@
 // Fresnel: against Snell's law and the reflection of the two polarisations, in long double.
-#include "shading/optics.h"
-
 #include "random.h"
+#include "shading/optics.h"
 #include "vectors.h"
 
 namespace {

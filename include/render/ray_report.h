@@ -1,12 +1,16 @@
-// The words of reports: numbers as people read them, and what the objects, materials and lights of
-// a scene are called. The same text on every machine.
+// The tree of one ray as text, and the words of all reports: numbers as people read them, and what
+// the objects, materials and lights of a scene are called. The same text on every machine.
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
 
 #include "math/vec3.h"
+#include "render/render_options.h"
+#include "render/watched_tracer.h"
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
 
@@ -15,8 +19,10 @@ std::string textOf(float number);
 /// Up to 9 significant digits.
 std::string textOf(double number);
 /// Three numbers with blanks between.
-std::string textOf(const Vec3f& vector);
-std::string textOf(const Vec3d& vector);
+template <class T>
+std::string textOf(const Vec3<T>& v) {
+  return textOf(v.x()) + " " + textOf(v.y()) + " " + textOf(v.z());
+}
 
 class SceneNames {
  public:
@@ -36,3 +42,11 @@ class SceneNames {
   const ObjectPlaces& places_;
   std::unordered_map<const Material*, int> materials_;  // only looked up
 };
+
+/// An observer that writes the tree of rays as text: a line for each fact, in plain ASCII, two
+/// blanks for each step down. `writeLine` takes one line after the other, each with its end.
+/// `names` and `geometry`, which answers for the scene's objects, are not owned; `options` are
+/// those of the tracer.
+std::unique_ptr<RayObserver> makeRayReport(const SceneNames& names, const Object3D& geometry,
+                                           const RenderOptions& options,
+                                           std::function<void(const std::string& line)> writeLine);
