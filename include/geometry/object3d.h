@@ -1,5 +1,7 @@
 // Object3D: anything that a ray can hit. The two questions are intersect and occluded, each of one
 // ray; BatchGeometry, below, answers them for many at once.
+// A sphere, plane, triangle or mesh decides in one function, nearestRoot, whether and at which t a
+// ray meets it; intersect then records what lies there, and occluded asks no more.
 // All objects are const while rays are traced, so any number of threads may ask at once.
 #pragma once
 #include "geometry/hit.h"

@@ -1,5 +1,11 @@
 // Plane: all points p with normal . p = offset. It has no bounds.
+//
+// Any point of a ray has the distance n . (origin + t direction) - offset from the plane, which is
+// linear in t and 0 where the ray meets it: t = (offset - n . origin) / (n . direction).
 #pragma once
+#include <cmath>
+#include <limits>
+
 #include "geometry/object3d.h"
 
 class Plane : public Object3D {
@@ -15,13 +21,35 @@ class Plane : public Object3D {
   double getOffset() const { return offset_; }
   const Material* getMaterial() const { return material_; }
 
-  /// A ray parallel to the plane never meets it.
-  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
-  bool occluded(const Ray& ray, double tmin, double tmax) const override;
-  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override {
+    double t;
+    if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
+    const Vec3d point = ray.pointAtParameter(t);
+    const double extent = std::fabs(offset_);
+    hit.record(t, material_, normal_, point, {this, 0, magnitudeOf(t, point, ray, extent)});
+    return true;
+  }
+  bool occluded(const Ray& ray, double tmin, double tmax) const override {
+    double t;
+    return nearestRoot(ray, tmin, tmax, t);
+  }
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override {
+    double t;
+    if (!nearestRoot(ray, 0, std::numeric_limits<double>::infinity(), t)) return;
+    visitor.visit({t, this, material_, false, dot(normal_, ray.getDirection()) > 0});
+  }
 
  private:
-  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
+  /// Finds that t where tmin < t < tmax and the ray does not start on the plane. A ray parallel to
+  /// the plane never meets it.
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
+    if (ray.leaves(this)) return false;
+    const double approach = dot(normal_, ray.getDirection());
+    const double root = (offset_ - dot(normal_, ray.getOrigin())) / approach;
+    if (approach == 0 || !(root > tmin && root < tmax)) return false;
+    t = root;
+    return true;
+  }
 
   Vec3d normal_;
   double offset_;

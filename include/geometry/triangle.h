@@ -51,7 +51,9 @@ class Triangle : public Object3D {
   const Material* getMaterial() const { return material_; }
   /// Whether its area normal, as it is computed, is other than zero: three points on a line may
   /// have one by rounding, and points closer than 1e-162 or so have none.
-  bool hasArea() const;
+  bool hasArea() const {
+    return triangle::areaNormal(vertices_[0], vertices_[1], vertices_[2]) != Vec3d();
+  }
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;

@@ -32,6 +32,7 @@ class RayObserver {
   /// The surface is a solid texture: what follows up to componentEnds is as if it were of
   /// `material` alone, whose colour has the share `share` in the ray's, 0 to 1.
   virtual void componentBegins(const Material& /*material*/, double /*share*/) {}
+  /// The colour of the component that began last, not yet multiplied by its share.
   virtual void componentEnds(const Vec3f& /*color*/) {}
   /// Once for each light, in the scene's order: its number, and what the surface sees of it.
   /// `shadowRay` is null where none was cast, as towards a light that the surface is turned away

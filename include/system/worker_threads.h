@@ -6,10 +6,11 @@
 /// How many threads this process may run at once: the cores that it is allowed to use, at least 1.
 int hardwareThreads();
 
-/// Calls work(0) .. work(threads - 1), each on a thread of its own with at least `stackBytes` bytes
-/// of stack (0: the least there is), and returns when all have returned. threads >= 1; where the
-/// system gives fewer, the calls share those it gives. The first exception that any call throws is
-/// thrown again here, after all have ended; std::system_error where not even one thread can be had.
+/// Calls work(0) .. work(threads - 1), in any order, each on a thread of its own with at least
+/// `stackBytes` bytes of stack (0: the least there is), and returns when all have returned. threads
+/// >= 1; where the system gives fewer, the calls share those it gives. The first exception that any
+/// call throws is thrown again here, after all have ended; std::system_error where not even one
+/// thread can be had.
 void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(int)>& work);
 
 /// Calls work(0) .. work(count - 1), as runOnThreads does but on at most `threads` threads, each of

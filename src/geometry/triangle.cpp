@@ -6,8 +6,7 @@
 //   2. The signs of q x r, r x p and p x q tell on which side of the three edges (0, 0) lies. All
 //      one sign: inside, seen from the front or from behind; zeros may stand with either.
 //   3. Rounded products can be equal where the exact ones are not. Only then the rests that
-//   rounding
-//      has taken off are computed, and decide.
+//      rounding has taken off are computed, and decide.
 //   4. With N = (b - a) x (c - a), t = N . a / N . direction, kept between the nearest and the
 //      farthest corner: for a ray that strikes very flat the quotient may lie anywhere.
 //
@@ -117,10 +116,6 @@ bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, dou
 }
 
 }  // namespace triangle
-
-bool Triangle::hasArea() const {
-  return triangle::areaNormal(vertices_[0], vertices_[1], vertices_[2]) != Vec3d();
-}
 
 bool Triangle::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
   const auto& [a, b, c] = vertices_;
