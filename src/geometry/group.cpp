@@ -1,4 +1,7 @@
 // Group: asks its objects in scene order; a later one must be nearer to win.
+//
+// The hit that one object leaves is the bound of the search for the next, so of several at the same
+// t the first wins, as everywhere. A slot that nothing was put into is passed over.
 #include "geometry/group.h"
 
 #include <algorithm>
@@ -37,6 +40,7 @@ void Group::addBounds(const Matrix& toWorld, BoundingBox& box) const {
   }
 }
 
+/// One plane among the objects is enough to reach without end.
 bool Group::isBounded() const {
   return std::all_of(objects_.begin(), objects_.end(),
                      [](const Object3D* object) { return !object || object->isBounded(); });

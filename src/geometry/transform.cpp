@@ -1,4 +1,9 @@
 // Transform: moves the ray in, asks the object, moves the hit out.
+//
+// With M the matrix, a point inside is M^-1 p and a direction M^-1 d, of any length; the object's t
+// is ours. The hit's point is the ray's at t, taken outside, and its normal is M^-T n, made a unit
+// vector again: a normal stays at right angles to what lies in the surface, as a direction would
+// not.
 #include "geometry/transform.h"
 
 #include <cassert>

@@ -24,6 +24,8 @@ Matrix Matrix::scale(const Vec3d& factors) {
   return Matrix({{factors.x(), 0, 0, 0}, {0, factors.y(), 0, 0}, {0, 0, factors.z(), 0}});
 }
 
+/// With c, s the angle's cosine and sine and a the unit axis: c I + (1 - c) a a^T + s [a]x, which
+/// leaves what lies along the axis and turns what lies across it.
 Matrix Matrix::rotation(const Vec3d& axis, double degrees) {
   // Divided first, so that the square of no axis is out of range.
   const Vec3d a = normalize(axis / maxAbs(axis));
@@ -34,6 +36,7 @@ Matrix Matrix::rotation(const Vec3d& axis, double degrees) {
                  {t * x * z - s * y, t * y * z + s * x, t * z * z + c, 0}});
 }
 
+/// The fourth column starts from that of a: b's translation is moved as a point.
 Matrix operator*(const Matrix& a, const Matrix& b) {
   Matrix product;
   for (int row = 0; row < 3; ++row) {
@@ -47,6 +50,7 @@ Matrix operator*(const Matrix& a, const Matrix& b) {
 }
 
 bool Matrix::inverse(Matrix& result) const {
+  // The columns a, b, c and the translation; then b x c, c x a, a x b.
   const Vec3d columns[3] = {{m_[0][0], m_[1][0], m_[2][0]},
                             {m_[0][1], m_[1][1], m_[2][1]},
                             {m_[0][2], m_[1][2], m_[2][2]}};
@@ -54,6 +58,7 @@ bool Matrix::inverse(Matrix& result) const {
   const Vec3d cofactors[3] = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
                               cross(columns[0], columns[1])};
   const double determinant = dot(columns[0], cofactors[0]);
+  // Row by row. Of a singular map, or one whose inverse is out of range, a row is not finite.
   Matrix inverted;
   for (int row = 0; row < 3; ++row) {
     const Vec3d linear = cofactors[row] / determinant;

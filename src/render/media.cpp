@@ -1,4 +1,16 @@
 // Media: gathers all crossings, then sweeps along the line.
+//
+//   1. Crossings with closed transparent objects are gathered, and sorted by object and then by t.
+//   2. Those of one object are gone through from the far end of the line, which nothing contains:
+//      each that leaves the object counts 1, each that enters it -1, and the line is inside where
+//      the sum is not 0. A stretch inside is a stay.
+//   3. The ends of all stays are sorted by t. From one to the next a set, ordered by strength,
+//   holds
+//      the stays that the line is in; the strongest fills the layer up to the next end.
+//   4. What fills a place is the layer that begins last before it.
+//
+// All that is summed or multiplied is sorted first, by what it is and not by when it was visited,
+// so that the result is the same whichever tree the crossings come from.
 #include "render/media.h"
 
 #include <algorithm>
@@ -78,12 +90,14 @@ void Media::findLayers(const std::vector<Stay>& stays) {
     const Stay* stay;
     bool isEntered;
   };
+  // Both ends of every stay, along the line.
   std::vector<End> ends;
   for (const Stay& stay : stays) {
     ends.push_back({stay.from, &stay, true});
     ends.push_back({stay.to, &stay, false});
   }
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.t < b.t; });
+  // The stays around the place that the sweep has come to, the strongest first.
   const auto stronger = [](const Stay* a, const Stay* b) { return isStronger(*a, *b); };
   std::set<const Stay*, decltype(stronger)> around(stronger);
   for (const End& end : ends) {
@@ -96,6 +110,7 @@ void Media::findLayers(const std::vector<Stay>& stays) {
   }
 }
 
+/// The layer before the first that begins beyond t; outside of all where there is none.
 Media::Medium Media::mediumAt(double t) const {
   const auto next =
       std::upper_bound(layers_.begin(), layers_.end(), t,
@@ -103,6 +118,7 @@ Media::Medium Media::mediumAt(double t) const {
   return next == layers_.begin() ? Medium() : std::prev(next)->medium;
 }
 
+/// Crossings are sorted by object, and only those of closed transparent ones are kept.
 bool Media::isClosed(const Object3D* object) const {
   const auto less = [](const Crossing& crossing, const Object3D* wanted) {
     return std::less<>()(crossing.object, wanted);
@@ -111,6 +127,7 @@ bool Media::isClosed(const Object3D* object) const {
   return found != crossings_.end() && found->object == object;
 }
 
+/// How often the line is inside an object at t is the sum of what its crossings beyond t count.
 Vec3f Media::tintOfAll(double t, const Vec3d& end, double length) const {
   std::vector<Vec3f> tints;
   forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {

@@ -30,6 +30,8 @@ bool isFinite(const Vec3d& v) {
 
 }  // namespace
 
+/// The observers watch the ray through the centre, each on a tracer of its own; the colour is
+/// another question, as samples around the pixel may have a share in it.
 Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
                  const PictureWindow& place, const std::vector<RayObserver*>& observers) {
   const PictureView view = {*scene.getCamera(), place.width, place.height};
@@ -50,6 +52,7 @@ Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const Rende
   return color.getPixel(0, 0);
 }
 
+/// Keeps the stretch of a ray between two parameters.
 void RayLines::add(Kind kind, const Ray& ray, double from, double to) {
   const Line line = {ray.pointAtParameter(from), ray.pointAtParameter(to)};
   if (isFinite(line.from) && isFinite(line.to)) lines_[std::size_t(kind)].push_back(line);
@@ -76,6 +79,7 @@ void RayLines::lightAnswers(int, const LightSample&, const ShadowQuery* shadowRa
   add(blocked, shadowRay->ray, 0, blocker ? blocker->t : whole);
 }
 
+/// Vertices are numbered from 1 on through the whole file, two for each line.
 std::string RayLines::obj() const {
   std::string text = "# Rays that meet nothing are drawn " + textOf(escapeLength_) + " long.\n";
   std::size_t vertices = 0;

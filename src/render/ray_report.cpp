@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kFewestDigits = 1, kMostDigits = 9;
 
+/// As %g prints it, with so many significant digits. Minus zero loses its sign.
 std::string printed(double number, int digits) {
   if (number != number) return "nan";  // printf may give it a sign
   char text[32];
@@ -34,6 +35,7 @@ class RayReport : public RayObserver {
             std::function<void(const std::string& line)> writeLine)
       : names_(names), geometry_(geometry), options_(options), writeLine_(std::move(writeLine)) {}
 
+  // A ray: what it is, and one step further in where it starts, what it meets and what comes of it.
   void rayBegins(RayKind kind, int bounces, const TracedRay& ray) override {
     line(std::string(kKinds[int(kind)]) + " ray, bounces " + std::to_string(bounces) + ", weight " +
          textOf(ray.weight) + ", index " + textOf(ray.indexOfRefraction));
@@ -57,6 +59,7 @@ class RayReport : public RayObserver {
     line(names_.ofMaterial(*material_));
   }
 
+  // Indices matter only where something goes through, the tint only where there is one.
   void interfaceIsKnown(const Interface& interface) override {
     if (anyPositive(material_->getTransparentColor())) {
       line("index before " + textOf(interface.before.indexAt(*material_)) + ", behind " +
@@ -65,6 +68,7 @@ class RayReport : public RayObserver {
     if (interface.tint != Vec3f(1, 1, 1)) line("dimmed on the way by " + textOf(interface.tint));
   }
 
+  // A component of a texture, with all that follows for it, is one step further in too.
   void componentBegins(const Material& material, double share) override {
     line("part " + textOf(share) + " of " + names_.ofMaterial(material));
     ++depth_;
@@ -84,6 +88,7 @@ class RayReport : public RayObserver {
 
   void lightAdds(const Vec3d& color) override { line("  adds " + textOf(Vec3f(color))); }
 
+  // Why a branch that the material asks for is not followed, with the limit that it has reached.
   void branchEnds(RayKind kind, Outcome why, float weight) override {
     const std::string reason =
         why == Outcome::tooManyBounces
@@ -145,6 +150,7 @@ std::string textOf(float number) {
 
 std::string textOf(double number) { return printed(number, kMostDigits); }
 
+// Materials are found by their address; objects know no place, so ObjectPlaces has noted it.
 SceneNames::SceneNames(const SceneParser& scene, const ObjectPlaces& places)
     : scene_(scene), places_(places) {
   for (int i = 0; i < scene.getNumMaterials(); ++i) materials_.emplace(scene.getMaterial(i), i);

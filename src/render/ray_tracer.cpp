@@ -1,5 +1,11 @@
 // RayTracer: the recursion. Every formula is the Shader's; here is what is asked of the scene, and
 // in which order the terms are added.
+//
+//   traceRay     the background, or what shade makes of the nearest surface
+//   shade        ambient + lights + mirror + transmitted; of a texture the mean of its components
+//   lights       each light on its own: does the surface face it, does it arrive, what comes back
+//   mirror, transmitted    where the Shader sends a ray on, traceRay again, one bounce deeper
+// The Shader says where it ends, so the recursion is as deep as RenderOptions::maxBounces at most.
 #include "render/ray_tracer.h"
 
 #include "render/transmittance.h"
@@ -68,12 +74,15 @@ Vec3d RayTracer::lights(const Surface& s) const {
   return sum;
 }
 
+/// A light behind the surface is not asked for further.
 Vec3d RayTracer::light(int index, const Surface& s) const {
   LightSample light;
   shader_.sampleLight(index, s, light);
   return light.isInFront ? shader_.reflected(s, light, visibility(s, light)) : Vec3d();
 }
 
+/// All of it without shadows; what transparent objects let through where they tint; else all or
+/// nothing, as something lies between or not.
 Vec3f RayTracer::visibility(const Surface& s, const LightSample& light) const {
   const RenderOptions& options = shader_.options();
   if (!options.shadows) return {1, 1, 1};
@@ -95,6 +104,7 @@ Vec3d RayTracer::transmitted(const Surface& s) const {
   return shader_.refracted(s, next) == Outcome::follows ? follow(s, next) : Vec3d();
 }
 
+/// The colour that arrives along the continued ray, times the factor that the surface takes of it.
 Vec3d RayTracer::follow(const Surface& s, TracedRay& next) const {
   Hit hit;
   const Vec3f color =

@@ -1,6 +1,12 @@
 // Transmittance: gathers all crossings of a shadow ray, then multiplies object by object. A blocker
 // is looked for apart: a shadow ray ends at the first surface that it finds, which need not be the
 // nearest one.
+//
+// Crossings come in no order. A surface that is opaque where the ray crosses it ends all: the
+// answer is black. Of the others each object is a filter: to the power of the way inside where it
+// is closed, of the number of crossings where it is open. A texture differs from place to place, so
+// it is a filter for each stretch of the way. Filters are sorted by what they are before they are
+// multiplied, so that the last bit does not depend on the order of visits.
 #include "render/transmittance.h"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
 // WatchedTracer: before or after each step of RayTracer the observer is told what comes of it.
 // Nothing is computed here, but for a shadow ray, which is made once more to be shown.
+//
+// An eye ray is told of where it is traced, as nobody continues it. A secondary ray is told of
+// where it branches off: its kind and its factor are known there, and so is why there is none.
 #include "render/watched_tracer.h"
 
 Vec3f WatchedTracer::traceRay(Ray& ray, float tmin, int bounces, float weight,
@@ -13,6 +16,7 @@ Vec3f WatchedTracer::traceRay(Ray& ray, float tmin, int bounces, float weight,
   return color;
 }
 
+/// Surfaces that are not there are told of before the one that is.
 bool WatchedTracer::meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const {
   std::vector<Hit> passed;
   const bool isFound = interfaces().intersect(ray, tmin, hit, interface, &passed);
@@ -29,6 +33,7 @@ Vec3f WatchedTracer::shadeComponent(const Surface& s, double share) const {
   return color;
 }
 
+/// Tells of a term, and hands it on.
 Vec3d WatchedTracer::report(ColorTerm term, const Vec3d& color) const {
   observer_.termIsKnown(term, color);
   return color;
@@ -42,6 +47,7 @@ Vec3d WatchedTracer::lights(const Surface& s) const {
   return report(ColorTerm::lights, RayTracer::lights(s));
 }
 
+/// RayTracer::light with its steps apart, so that each can be shown.
 Vec3d WatchedTracer::light(int index, const Surface& s) const {
   LightSample light;
   shader().sampleLight(index, s, light);

@@ -1,4 +1,7 @@
 // Files on POSIX: descriptors, owned by the objects that opened them.
+//
+// A signal may interrupt a call that waits (EINTR): it is then made again. A read may bring less
+// than was asked for: it is asked again until the end of the file.
 #include "system/files.h"
 
 #include <fcntl.h>
@@ -37,6 +40,7 @@ ssize_t OpenFile::readAt(off_t offset, void* target, std::size_t size) const {
   return ssize_t(done);
 }
 
+/// Only "another has it" is a refusal: where there are no locks, the file is used without.
 bool OpenFile::lock(bool waits) const {
   while (flock(descriptor_, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0) {
     if (errno == EWOULDBLOCK) return false;

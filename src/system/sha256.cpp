@@ -31,6 +31,7 @@ std::uint32_t bigEndian(const std::uint8_t* bytes) {
 }  // namespace
 
 void Sha256::addBlock(const std::uint8_t* block) {
+  // The block's 16 words, and 48 more, each mixed of four before it.
   std::uint32_t w[64];
   for (int t = 0; t < 16; ++t) w[t] = bigEndian(block + 4 * t);
   for (int t = 16; t < 64; ++t) {
@@ -38,6 +39,7 @@ void Sha256::addBlock(const std::uint8_t* block) {
     w[t] = (rotated(high, 17) ^ rotated(high, 19) ^ high >> 10) + w[t - 7] +
            (rotated(low, 7) ^ rotated(low, 18) ^ low >> 3) + w[t - 16];
   }
+  // 64 rounds: two sums are stirred in, and every word moves on by one place.
   auto [a, b, c, d, e, f, g, h] = state_;
   for (int t = 0; t < 64; ++t) {
     const std::uint32_t first = h + (rotated(e, 6) ^ rotated(e, 11) ^ rotated(e, 25)) +
@@ -51,6 +53,7 @@ void Sha256::addBlock(const std::uint8_t* block) {
   for (std::size_t i = 0; i < 8; ++i) state_[i] += sums[i];
 }
 
+/// Whole blocks are taken where they lie; what is left waits for the rest of its block.
 void Sha256::add(const void* data, std::size_t size) {
   const auto* next = static_cast<const std::uint8_t*>(data);
   while (size > 0) {
