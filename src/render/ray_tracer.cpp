@@ -1,10 +1,10 @@
 // RayTracer: the recursion. Every formula is the Shader's; here is what is asked of the scene, and
 // in which order the terms are added.
 //
-//   traceRay     the background, or what shade makes of the nearest surface
-//   shade        ambient + lights + mirror + transmitted; of a texture the mean of its components
-//   lights       each light on its own: does the surface face it, does it arrive, what comes back
-//   mirror, transmitted    where the Shader sends a ray on, traceRay again, one bounce deeper
+//   traceRay    the background, or what shade makes of the nearest surface
+//   shade       ambient + lights + mirror + transmitted; of a texture the mean of its components
+//   light       does the surface face it, does it arrive, what comes back
+//   follow      where the Shader sends a ray on, mirrored or refracted: traceRay, one bounce deeper
 // The Shader says where it ends, so the recursion is as deep as RenderOptions::maxBounces at most.
 #include "render/ray_tracer.h"
 
