@@ -1,5 +1,7 @@
 // A table of commands: each line is split into words as a shell would, and read as if the program
-// had been called with them, -output and the picture's name before.
+// had been called with them, -output and the picture's name before. So a line may say all that a
+// command can, and is refused with the same words; what does more than render pictures is refused
+// here. Every mistake is told with its line.
 #include "cli/command_table.h"
 
 #include <filesystem>
@@ -14,13 +16,14 @@ namespace {
 constexpr std::size_t kMostBytes = 64 << 20;  // more than anyone writes: a wrong file
 constexpr std::string_view kBlanks = " \t\r";
 
-/// Quotes may begin and end within a word, as in a shell: a"b c"d is ab cd. There are no escapes.
-/// The words of a line, quotes taken away. Throws UsageError where a quote is not closed.
+/// The words of a line, quotes taken away. These may begin and end within a word, as in a shell:
+/// a"b c"d is ab cd. There are no escapes. Throws UsageError where a quote is not closed.
 std::vector<std::string> wordsOf(const std::string& line) {
   std::vector<std::string> words;
   std::size_t at = 0;
   while ((at = line.find_first_not_of(kBlanks, at)) != std::string::npos && line[at] != '#') {
     std::string& word = words.emplace_back();
+    // Character by character up to a blank, but what is quoted as a whole.
     while (at < line.size() && kBlanks.find(line[at]) == std::string_view::npos) {
       const char c = line[at++];
       if (c != '\'' && c != '"') {
@@ -76,7 +79,7 @@ std::vector<TableCommand> readCommandTable(const std::string& path, const RunReq
   if (bytes.size() > kMostBytes) throw ImageError(path, "expected a table of at most 64 MB");
   std::istringstream lines(std::string(bytes.begin(), bytes.end()));
   std::vector<TableCommand> commands;
-  std::set<std::string> pictures;
+  std::set<std::string> pictures;  // of all lines: two of one name would have one partner
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     try {

@@ -24,6 +24,7 @@ using Result = ComparedPair::Result;
 /// Exit status; the greatest one of all pairs is the program's.
 enum CompareStatus { kSame = 0, kDifferent = 1, kUnreadable = 3 };
 
+/// False too where there is nothing, or it cannot be looked at: reading it then says why.
 bool isFolder(const std::string& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
@@ -57,8 +58,7 @@ void comparePair(const CompareRequest& request, const Image* rendered, ComparedP
 }
 
 /// Throws UsageError where an output is one of the `pictures`, which are compared, or two outputs
-/// are one file, or one goes to standard output beside the figures. All pictures are checked before
-/// the first one is read: a long comparison is not to end with the refusal to write its result.
+/// are one file, or one goes to standard output beside the figures.
 void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest& request,
                   bool quiet) {
   std::vector<std::string> others = pictures;
@@ -74,15 +74,6 @@ void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest
         "-compare: expected standard output for the figures (which -quiet leaves out), found '" +
         output + "' there");
   }
-}
-
-std::vector<ComparedPair> compareFolders(const CompareRequest& request, bool quiet) {
-  std::vector<ComparedPair> pairs = pairsIn(request.expected, request.actual);
-  for (const ComparedPair& pair : pairs) {
-    checkOutputs({pair.expected, pair.actual}, request, quiet);
-  }
-  for (ComparedPair& pair : pairs) comparePair(request, nullptr, pair);
-  return pairs;
 }
 
 /// Renders the pictures of a command and compares each with its partner in `expected`, the pictures
@@ -105,6 +96,7 @@ void compareCommand(const TableCommand& command, const CompareRequest& request,
 /// Unless -progress is given there is no line of progress for each command.
 std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunRequest& run) {
   const std::vector<std::string> expected = picturesIn(request.expected);
+  // A long comparison is not to end with the refusal to write its result.
   for (const std::string& name : expected) {
     checkOutputs({inFolder(request.expected, name)}, request, run.quiet);
   }
@@ -129,14 +121,17 @@ std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunR
 
 /// What EXPECTED and ACTUAL are decides: see runComparison.
 std::vector<ComparedPair> compareAll(const CompareRequest& request, const RunRequest& run) {
-  if (!isFolder(request.expected)) {
-    const std::string name = fs::path(request.expected).filename().string();
-    ComparedPair pair = {name, request.expected, request.actual};
-    comparePair(request, nullptr, pair);
-    return {std::move(pair)};
+  if (isFolder(request.expected)) {
+    if (!request.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
+    if (!isFolder(request.actual)) return compareTable(request, run);
   }
-  if (!request.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
-  return isFolder(request.actual) ? compareFolders(request, run.quiet) : compareTable(request, run);
+  std::vector<ComparedPair> pairs = pairsIn(request.expected, request.actual);
+  // All before the first one is read, likewise.
+  for (const ComparedPair& pair : pairs) {
+    checkOutputs({pair.expected, pair.actual}, request, run.quiet);
+  }
+  for (ComparedPair& pair : pairs) comparePair(request, nullptr, pair);
+  return pairs;
 }
 
 /// The worst of all pairs.
@@ -149,7 +144,8 @@ int statusOf(const std::vector<ComparedPair>& pairs) {
   return status;
 }
 
-/// False where one of the files cannot be written, which has then been said.
+/// False where one of the files cannot be written, which has then been said; the others are written
+/// all the same. The report has the worst pair first, and so comes last: it changes their order.
 bool writeOutputs(std::vector<ComparedPair>& pairs, const CompareRequest& request) {
   bool written = true;
   const auto attemptWriting = [&written](const auto& write) {

@@ -62,6 +62,7 @@ std::string figureFields(const ComparedPair& pair) {
                 f.boxWidth, ',', f.boxHeight);
 }
 
+/// 20 fields, in the order of kCsvHeading.
 std::string csvRow(const ComparedPair& pair) {
   return joined(quotedField(pair.name), ',', quotedField(pair.expected), ',',
                 quotedField(pair.actual), ',', nameOf(pair.result), ',',
@@ -103,6 +104,7 @@ std::string figureLines(const ComparedPair& pair, const CompareRequest& request)
   return text;
 }
 
+/// What is neither the same nor different is counted in one: its own line says which it is.
 std::string pairLines(const std::vector<ComparedPair>& pairs) {
   std::string text;
   std::size_t same = 0, different = 0;

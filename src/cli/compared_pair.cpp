@@ -29,7 +29,7 @@ bool isPictureName(const fs::path& path) {
 /// out/a.tga is out/a.
 fs::path withoutEnding(const std::string& name) { return fs::path(name).replace_extension(); }
 
-/// Greater is worse.
+/// What is alone or unreadable before other sizes, and these before other pixels. Greater is worse.
 auto badnessOf(const ComparedPair& pair) {
   const int kind = pair.isAtFault() ? 2 : int(pair.result);
   const bool otherSize = !pair.comparison && !pair.isAtFault();
@@ -78,20 +78,25 @@ std::string partnerOf(const std::string& name, const std::vector<std::string>& p
   return found == pictures.end() ? "" : *found;
 }
 
+/// Looks for a partner for each expected picture; the result is sorted, as they come in two rows.
 /// Two expected pictures may have the same partner, for example a TGA and a PNG of one name.
-std::vector<ComparedPair> pairsIn(const std::string& expectedFolder,
-                                  const std::string& actualFolder) {
-  const std::vector<std::string> actual = picturesIn(actualFolder);
+std::vector<ComparedPair> pairsIn(const std::string& expected, const std::string& actual) {
+  std::error_code ignored;
+  if (!fs::is_directory(expected, ignored)) {
+    return {{fs::path(expected).filename().string(), expected, actual}};
+  }
+  const std::vector<std::string> actualNames = picturesIn(actual);
   std::vector<ComparedPair> pairs;
   std::set<std::string> taken;
-  for (const std::string& name : picturesIn(expectedFolder)) {
-    const std::string partner = *taken.insert(partnerOf(name, actual)).first;
-    pairs.push_back({name, inFolder(expectedFolder, name), inFolder(actualFolder, partner)});
+  for (const std::string& name : picturesIn(expected)) {
+    const std::string partner = *taken.insert(partnerOf(name, actualNames)).first;
+    pairs.push_back({name, inFolder(expected, name), inFolder(actual, partner)});
     if (partner.empty()) pairs.back().fail(Result::missing, "no actual picture");
   }
-  for (const std::string& name : actual) {
+  // Whoever has been nobody's partner is alone.
+  for (const std::string& name : actualNames) {
     if (taken.count(name) > 0) continue;
-    pairs.push_back({name, "", inFolder(actualFolder, name)});
+    pairs.push_back({name, "", inFolder(actual, name)});
     pairs.back().fail(Result::unexpected, "no expected picture");
   }
   std::sort(pairs.begin(), pairs.end(),

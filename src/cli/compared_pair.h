@@ -42,10 +42,10 @@ std::string partnerOf(const std::string& name, const std::vector<std::string>& p
 /// The path of `name` in `folder`; "" for "".
 std::string inFolder(const std::string& folder, const std::string& name);
 
-/// Each expected picture with its partner among the actual ones, not compared yet, or missing. Then
-/// the actual pictures that are nobody's partner: unexpected. Sorted by name.
-std::vector<ComparedPair> pairsIn(const std::string& expectedFolder,
-                                  const std::string& actualFolder);
+/// Of two folders: each expected picture with its partner among the actual ones, not compared yet,
+/// or missing; then the actual pictures that are nobody's partner: unexpected. Sorted by name. Of
+/// two files, that pair. Throws ImageError where a folder cannot be read.
+std::vector<ComparedPair> pairsIn(const std::string& expected, const std::string& actual);
 
 /// Compares the pair's pictures, which are not kept, and enters what came of it.
 void comparePictures(const Image& expected, const Image& actual, const CompareRequest& request,

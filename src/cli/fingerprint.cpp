@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "cli/arguments.h"
+#include "image/bytes.h"
 #include "system/files.h"
 #include "system/worker_threads.h"
 
@@ -25,16 +26,6 @@ constexpr std::size_t kStack = 1 << 18;
 
 [[noreturn]] void failFile(const std::string& path, const std::string& reason) {
   throw std::runtime_error(path + ": cannot be read for the fingerprint: " + reason);
-}
-
-/// The digest of `size` bytes from `offset` on.
-Digest pieceDigest(const OpenFile& file, const std::string& path, std::size_t offset,
-                   std::size_t size) {
-  std::vector<char> bytes(size);
-  const ssize_t count = file.readAt(off_t(offset), bytes.data(), size);
-  if (count < 0) failFile(path, std::strerror(errno));
-  if (std::size_t(count) < size) failFile(path, "it has become shorter");
-  return sha256(bytes.data(), size);
 }
 
 void addText(std::string_view text, Sha256& hash) {
@@ -97,7 +88,11 @@ Digest fileDigest(const std::string& path, int threads) {
   const std::size_t count = (size + kPiece - 1) / kPiece;
   std::vector<Digest> pieces(count);
   shareOnThreads(threads, kStack, count, [&](std::size_t i) {
-    pieces[i] = pieceDigest(file, path, i * kPiece, std::min(kPiece, size - i * kPiece));
+    Bytes bytes(std::min(kPiece, size - i * kPiece));
+    const ssize_t read = file.readAt(off_t(i * kPiece), bytes.data(), bytes.size());
+    if (read < 0) failFile(path, std::strerror(errno));
+    if (std::size_t(read) < bytes.size()) failFile(path, "it has become shorter");
+    pieces[i] = sha256(bytes.data(), bytes.size());
   });
   Sha256 hash;
   for (const Digest& piece : pieces) hash.add(piece);
@@ -114,10 +109,8 @@ Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenA
   hash.addNumber(meshFiles.size());
   std::map<std::string, Digest> known;  // a mesh that is named a thousand times is read once
   for (const std::string& file : meshFiles) {
-    const auto found = known.find(file);
-    const Digest digest = found != known.end() ? found->second : fileDigest(file, threads);
-    known[file] = digest;
-    hash.add(digest);
+    if (known.count(file) == 0) known[file] = fileDigest(file, threads);
+    hash.add(known[file]);
   }
   addPictures(results, hash);
   addArguments(given, hash);

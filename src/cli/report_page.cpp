@@ -1,9 +1,9 @@
-// The page of a comparison: HTML with its pictures, style and script in one file. It is
-// put together from templates, in which $1 to $9 stand for the values that filled() puts there.
-// Without the script the page still shows all figures and pictures; what needs it is hidden.
+// The page of a comparison: HTML with its pictures, style and script in one file. It is put
+// together from templates, in which $1 to $9 stand for the values that filled() puts there. Without
+// the script the page still shows all figures and pictures; what needs it is hidden.
 #include <algorithm>
 #include <initializer_list>
-#include <iterator>
+#include <string_view>
 
 #include "cli/compared_pair.h"
 #include "image/picture_file.h"
@@ -131,17 +131,16 @@ std::string filled(const char* text, std::initializer_list<std::string> values) 
 
 /// As it stands between tags and in attributes. Control characters become U+FFFD.
 std::string escaped(const std::string& text) {
-  static constexpr char kSpecial[] = "&<>\"'";
-  static constexpr const char* kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
+  static constexpr std::string_view kSpecial = "&<>\"'";
+  static constexpr std::string_view kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string result;
   for (const char c : text) {
-    const char* const special = std::find(kSpecial, kSpecial + std::size(kEntities), c);
-    if (special != kSpecial + std::size(kEntities)) {
-      result += kEntities[special - kSpecial];
-    } else if (static_cast<unsigned char>(c) < 32 || c == 127) {
-      result += "&#xFFFD;";
+    const std::size_t special = kSpecial.find(c);
+    const bool isControl = static_cast<unsigned char>(c) < 32 || c == 127;
+    if (special < kSpecial.size()) {
+      result += kEntities[special];
     } else {
-      result += c;
+      result += isControl ? "&#xFFFD;" : std::string(1, c);
     }
   }
   return result;

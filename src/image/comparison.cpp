@@ -47,6 +47,7 @@ void addOver(int x, int y, Comparison& result) {
   result.boxHeight = y + 1 - result.boxY;
 }
 
+/// From the sums over all three samples of a pixel; see Comparison for the formulas.
 void setFigures(const Sums& sums, Comparison& result) {
   const double samples = 3.0 * double(result.pixels);
   result.mean = double(sums.differences) / samples;
@@ -55,6 +56,7 @@ void setFigures(const Sums& sums, Comparison& result) {
                                   : 20 * math::log(255 / result.rms) / math::log(10);
 }
 
+/// A sample's difference, made visible.
 std::uint8_t enlarged(int e, int a) {
   return std::uint8_t(std::min(255, kDifferenceGain * std::abs(e - a)));
 }
@@ -87,7 +89,7 @@ Comparison compare(const Image& expected, const Image& actual, int tolerance) {
     for (int x = 0; x < expected.Width(); ++x) {
       const int difference = addDifferences(pixelAt(expected, x, y), pixelAt(actual, x, y), sums);
       if (difference > tolerance) addOver(x, y, result);
-      if (difference <= result.maximum) continue;
+      if (difference <= result.maximum) continue;  // the first one of the largest stays
       result.maximum = difference;
       result.worstX = x;
       result.worstY = y;

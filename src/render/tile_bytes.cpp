@@ -66,6 +66,7 @@ std::size_t tileCount(const RenderTargets& targets) {
   return std::size_t(tilesAlong(whole.right)) * tilesAlong(whole.top);
 }
 
+/// The last tile of a row or column may be cut off by the edge of the pictures.
 PixelRectangle tileArea(const RenderTargets& targets, std::uint32_t number) {
   const PixelRectangle whole = wholeArea(targets);
   const std::uint32_t columns = tilesAlong(whole.right);
@@ -75,6 +76,8 @@ PixelRectangle tileArea(const RenderTargets& targets, std::uint32_t number) {
           std::min(bottom + TileStore::kSide, whole.top)};
 }
 
+/// An edge within the pictures lies between two tiles; one at their end may lie in the last tile,
+/// which tilesAlong counts as a whole one.
 std::vector<std::uint32_t> tilesIn(const RenderTargets& targets, const PixelRectangle& area) {
   const std::uint32_t columns = tilesAlong(wholeArea(targets).right);
   std::vector<std::uint32_t> numbers;
@@ -95,7 +98,8 @@ std::size_t tileByteCount(const RenderTargets& targets, std::uint32_t pictures,
   return bytes;
 }
 
-/// Called while other threads write to other tiles: it reads no pixel outside `area`.
+/// A row of a tile lies in one piece. Called while other threads write to other tiles: no pixel
+/// outside `area` is read.
 Bytes tileBytes(const RenderTargets& targets, std::uint32_t pictures, const PixelRectangle& area) {
   Bytes bytes(tileByteCount(targets, pictures, area));
   std::uint8_t* next = bytes.data();
@@ -107,6 +111,7 @@ Bytes tileBytes(const RenderTargets& targets, std::uint32_t pictures, const Pixe
   return bytes;
 }
 
+/// Pixel by pixel, as a picture gives nobody its memory to write to.
 void setTileBytes(const RenderTargets& targets, std::uint32_t pictures, const PixelRectangle& area,
                   const std::uint8_t* bytes) {
   forEachRow(targets, pictures, area, [&bytes](auto& picture, int x, int y, int width) {
