@@ -39,7 +39,11 @@ TEST("a difference is over the tolerance when it is greater, and the box is arou
   Image actual = blackBut(0, 0, {5, 0, 0});
   actual.setPixel(3, 2 - 1, Rgb8{0, 0, 9});
   actual.setPixel(1, 2 - 2, Rgb8{0, 9, 6});
-  CHECK_EQUAL(compare(Image(4, 3), actual, 4).pixelsOver, 3u);
+  const Comparison all = compare(Image(4, 3), actual, 4);
+  CHECK_EQUAL(all.pixelsOver, 3u);
+  CHECK_EQUAL(all.boxX + all.boxY, 0);
+  CHECK_EQUAL(all.boxWidth, 4);
+  CHECK_EQUAL(all.boxHeight, 3);
   const Comparison c = compare(actual, Image(4, 3), 5);
   CHECK_EQUAL(c.pixelsOver, 2u);
   CHECK_EQUAL(c.worstX, 3);  // the first of two with 9
