@@ -194,6 +194,8 @@ std::string reportFigures(const Image& expected, const Image& actual, const Comp
   return text + end + filled(kWipe, {name});
 }
 
+/// Pairs are numbered from 1 on; their headings are what the keys go to. The script comes last:
+/// what it works on is then there.
 std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request) {
   const auto same = std::count_if(pairs.begin(), pairs.end(), [](const ComparedPair& pair) {
     return pair.result == ComparedPair::Result::same;
