@@ -52,6 +52,11 @@ class ByteReader {
     (message << ... << words);
     throw ImageError(name_, message.str());
   }
+  /// Does that where the claim does not hold.
+  template <class... Words>
+  void check(bool claim, const Words&... words) const {
+    if (!claim) fail(words...);
+  }
 
  private:
   const Bytes& bytes_;
@@ -59,11 +64,14 @@ class ByteReader {
   std::size_t position_ = 0;
 };
 
-/// 16 bits, the low byte first, as TGA has them.
+/// Numbers with the low byte first, as TGA and PFM have them.
 inline unsigned littleEndian16(const std::uint8_t* bytes) { return bytes[0] + 256u * bytes[1]; }
+/// Appends the `count` <= 4 low bytes of the value.
+void appendLittleEndian(std::uint32_t value, int count, Bytes& bytes);
 
-/// 32 bits, the high byte first, as PNG has them.
+/// Numbers of 32 bits with the high byte first, as PNG has them.
 inline std::uint32_t bigEndian32(const std::uint8_t* bytes) {
   return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
          std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[3]};
 }
+void appendBigEndian(std::uint32_t value, Bytes& bytes);

@@ -15,6 +15,8 @@ struct Rgb8 {
   friend bool operator!=(Rgb8 p, Rgb8 q) { return !(p == q); }
 };
 
+static_assert(sizeof(Rgb8) == 3, "a row of them is a row of bytes");
+
 /// int(component * 255) clamped to 0..255: truncated, not rounded. Below 1/255 (also negative, and
 /// -infinity) it is 0, from 1 on (also infinity) 255; NaN is 0.
 std::uint8_t byteFromComponent(float component);
@@ -48,10 +50,7 @@ class PixelGrid {
 
 /// Colours as they were computed, 1 being the brightest a screen shows; nothing is clamped, and
 /// infinities and NaN are kept.
-class FloatImage : public PixelGrid<Vec3f> {
- public:
-  using PixelGrid::PixelGrid;
-};
+using FloatImage = PixelGrid<Vec3f>;
 
 class Image : public PixelGrid<Rgb8> {
  public:
@@ -61,4 +60,6 @@ class Image : public PixelGrid<Rgb8> {
   /// Sets the bytes of a colour, see bytesFromColor.
   void setPixel(int x, int y, const Vec3f& color) { setPixel(x, y, bytesFromColor(color)); }
   void setAllPixels(const Vec3f& color);
+  /// Red, green and blue of each pixel of row y, from the left: 3 * Width() bytes, owned by this.
+  const std::uint8_t* rowBytes(int y) const { return &getPixel(0, y).r; }
 };

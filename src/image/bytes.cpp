@@ -1,4 +1,4 @@
-// Bytes: reads a whole file, and takes bytes of it.
+// Bytes: reads a whole file, takes bytes of it, and appends numbers.
 // Memory grows with what has been read, as a file's size may change meanwhile, and a pipe has none.
 #include "image/bytes.h"
 
@@ -36,10 +36,17 @@ Bytes readBytes(const std::string& path) {
   return bytes;
 }
 
+void appendLittleEndian(std::uint32_t value, int count, Bytes& bytes) {
+  for (; count > 0; --count, value >>= 8) bytes.push_back(std::uint8_t(value & 255));
+}
+
+void appendBigEndian(std::uint32_t value, Bytes& bytes) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(std::uint8_t(value >> shift & 255));
+}
+
 const std::uint8_t* ByteReader::take(std::size_t count, const std::string& what) {
-  if (count > remaining()) {
-    fail("expected ", count, " bytes of ", what, " at byte ", position_, ", found ", remaining());
-  }
+  check(count <= remaining(), "expected ", count, " bytes of ", what, " at byte ", position_,
+        ", found ", remaining());
   position_ += count;
   return bytes_.data() + position_ - count;
 }
@@ -48,11 +55,8 @@ void ByteReader::checkSize(std::uint64_t width, std::uint64_t height, std::uint6
                            std::size_t found, const char* kind) const {
   constexpr std::uint64_t kMostPixels = 1 << 26, kMostPerByte = 256;
   const std::uint64_t pixels = width * height;
-  if (pixels > most) {
-    fail("expected the data of ", width, " x ", height, " pixels, found ", found, kind, " bytes");
-  }
-  if (pixels > kMostPixels && pixels / kMostPerByte > bytes_.size()) {
-    fail("a picture of ", width, " x ", height, " pixels in a file of ", bytes_.size(),
-         " bytes is refused");
-  }
+  check(pixels <= most, "expected the data of ", width, " x ", height, " pixels, found ", found,
+        kind, " bytes");
+  check(pixels <= kMostPixels || pixels / kMostPerByte <= bytes_.size(), "a picture of ", width,
+        " x ", height, " pixels in a file of ", bytes_.size(), " bytes is refused");
 }

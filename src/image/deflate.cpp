@@ -26,56 +26,28 @@ constexpr unsigned kGoodLength = 8;   // a match that is worth a quarter of the 
 constexpr unsigned kBestLength = 32;  // and one that nothing is tried to beat
 constexpr std::size_t kBlockTokens = 16384;
 
-class TokenFinder {
- public:
-  /// Of bytes[from..to).
-  TokenFinder(const std::uint8_t* bytes, std::size_t from, std::size_t to)
-      : bytes_(bytes), at_(from), to_(to), chains_(bytes, to) {
-    for (std::size_t place = 0; place < from; ++place) chains_.add(place);
-  }
-
-  std::size_t at() const { return at_; }
-  bool isDone() const { return at_ == to_; }
-
-  /// The next tokens, about kBlockTokens of them.
-  const std::vector<Token>& nextTokens() {
-    tokens_.clear();
-    while (!isDone() && tokens_.size() < kBlockTokens) addNext();
-    return tokens_;
-  }
-
- private:
-  void addNext() {
-    Match match = chains_.longest(at_, 0, kTries);
+/// The next tokens for bytes[at..to), about kBlockTokens of them. `at` goes on behind what they
+/// stand for; the places that it passes are added to the chains, so that these hold all before it.
+std::vector<Token> takeTokens(const std::uint8_t* bytes, std::size_t& at, std::size_t to,
+                              HashChains& chains) {
+  std::vector<Token> tokens;
+  while (at < to && tokens.size() < kBlockTokens) {
+    Match match = chains.longest(at, 0, kTries);
+    chains.add(at);
     while (match.length > 0 && match.length < kBestLength) {
-      chains_.add(at_);
       const unsigned tries = match.length < kGoodLength ? kTries : kTries / 4;
-      const Match later = chains_.longest(at_ + 1, match.length, tries);
-      if (later.length == 0) return addCopy(match, at_ + 1);
-      addLiteral();
+      const Match later = chains.longest(at + 1, match.length, tries);
+      if (later.length == 0) break;
+      tokens.push_back({bytes[at], 0});
+      chains.add(++at);
       match = later;
     }
-    if (match.length > 0) return addCopy(match, at_);
-    chains_.add(at_);
-    addLiteral();
+    const bool isFound = match.length > 0;
+    tokens.push_back(isFound ? Token{match.length, match.distance} : Token{bytes[at], 0});
+    for (const std::size_t next = at + (isFound ? match.length : 1); ++at < next;) chains.add(at);
   }
-
-  void addLiteral() { tokens_.push_back({bytes_[at_++], 0}); }
-
-  /// Of its bytes those before `next` are in the chains.
-  void addCopy(Match match, std::size_t next) {
-    tokens_.push_back(
-        {static_cast<std::uint16_t>(match.length), static_cast<std::uint16_t>(match.distance)});
-    at_ += match.length;
-    for (; next < at_; ++next) chains_.add(next);
-  }
-
-  const std::uint8_t* const bytes_;
-  std::size_t at_;
-  const std::size_t to_;
-  HashChains chains_;
-  std::vector<Token> tokens_;
-};
+  return tokens;
+}
 
 }  // namespace
 
@@ -136,13 +108,15 @@ Match HashChains::longest(std::size_t at, unsigned longerThan, unsigned tries) c
 Bytes deflatePiece(const Bytes& bytes, std::size_t from, std::size_t to, bool isLast) {
   const std::size_t window = std::min<std::size_t>(from, deflate::kWindow);
   const std::uint8_t* const first = bytes.data() + from - window;
-  deflate::TokenFinder finder(first, window, window + to - from);
+  const std::size_t end = window + to - from;
+  deflate::HashChains chains(first, end);
+  for (std::size_t place = 0; place < window; ++place) chains.add(place);
   deflate::BlockWriter writer;
-  do {
-    const std::size_t begin = finder.at();
-    const std::vector<deflate::Token>& tokens = finder.nextTokens();
-    writer.write(tokens, first + begin, finder.at() - begin, isLast && finder.isDone());
-  } while (!finder.isDone());
+  for (std::size_t at = window; at < end;) {
+    const std::size_t begin = at;
+    const std::vector<deflate::Token> tokens = deflate::takeTokens(first, at, end, chains);
+    writer.write(tokens, first + begin, at - begin, isLast && at == end);
+  }
   // An empty stored block fills the last byte (as pigz does: Adler, 2007).
   if (!isLast) writer.writeStored(nullptr, 0, false);
   return writer.take();

@@ -5,6 +5,7 @@
 // of two prefix codes: literals and lengths share one alphabet, distances have the other. A block's
 // codes are the fixed ones, or stand at its head, as nothing but the number of bits of each code.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -19,42 +20,37 @@ constexpr unsigned kLongestLengthCode = 7;  // bits of a code for code lengths
 constexpr unsigned kEndOfBlock = 256;       // symbols below it are literals, above it lengths
 constexpr unsigned kLiteralSymbols = 286;   // literals, end of block, lengths
 constexpr unsigned kDistanceSymbols = 30;
-constexpr unsigned kLengthCodeSymbols = 19;  // 0..15 a length, 16 repeat, 17 and 18 zeros
+constexpr unsigned kLengthCodeSymbols = 19;  // 0..15: a length; 16..18: see kRepeatRanges
 constexpr unsigned kWindow = 32768;          // a copy reaches back at most so far
-constexpr unsigned kShortestCopy = 3, kLongestCopy = 258;
+constexpr unsigned kLongestCopy = 258;       // and is of 3 bytes at least
 
-/// RFC 1951, 3.2.5: a length or distance symbol stands for a range of 2^bits numbers from `base`
-/// on; which of them, so many further bits say.
+/// A symbol that stands for the 2^bits numbers from `base` on; which of them, so many further bits
+/// say.
 struct Range {
   unsigned base, bits;
 };
 
-/// The ranges double their size after every 2^n of them (n = 2 for lengths, 1 for distances), as
-/// floating-point numbers with n bits behind the first one do. So a number's highest n + 1 bits,
-/// and how many follow, tell its range, counted from 0 as the numbers are.
-constexpr unsigned rangeOf(unsigned number, unsigned n) {
-  unsigned bits = 0;
-  while (number >> bits >= 2u << n) ++bits;
-  return (bits << n) + (number >> bits);
-}
-constexpr Range rangeAt(unsigned range, unsigned n) {
-  if (range < 2u << n) return {range, 0};
-  const unsigned bits = (range >> n) - 1;
-  return {((1u << n) + range % (1u << n)) << bits, bits};
-}
+/// RFC 1951, 3.2.5: the lengths that the symbols from 257 on stand for, and the distances of those
+/// from 0 on. The longest copy has a symbol of its own, although the one before it could say it.
+constexpr Range kLengthRanges[] = {
+    {3, 0},  {4, 0},  {5, 0},  {6, 0},   {7, 0},   {8, 0},   {9, 0},   {10, 0},  {11, 1}, {13, 1},
+    {15, 1}, {17, 1}, {19, 2}, {23, 2},  {27, 2},  {31, 2},  {35, 3},  {43, 3},  {51, 3}, {59, 3},
+    {67, 4}, {83, 4}, {99, 4}, {115, 4}, {131, 5}, {163, 5}, {195, 5}, {227, 5}, {258, 0}};
+constexpr Range kDistanceRanges[] = {{1, 0},     {2, 0},     {3, 0},      {4, 0},      {5, 1},
+                                     {7, 1},     {9, 2},     {13, 2},     {17, 3},     {25, 3},
+                                     {33, 4},    {49, 4},    {65, 5},     {97, 5},     {129, 6},
+                                     {193, 6},   {257, 7},   {385, 7},    {513, 8},    {769, 8},
+                                     {1025, 9},  {1537, 9},  {2049, 10},  {3073, 10},  {4097, 11},
+                                     {6145, 11}, {8193, 12}, {12289, 12}, {16385, 13}, {24577, 13}};
+/// RFC 1951, 3.2.7: how often the symbols from 16 on of the code for code lengths repeat one: the
+/// length before them, zero, zero.
+constexpr Range kRepeatRanges[] = {{3, 2}, {3, 3}, {11, 7}};
 
-/// Lengths 3 to 258, of which the last one has a symbol of its own, although 284 could say it.
-constexpr unsigned lengthSymbol(unsigned length) {
-  return length == kLongestCopy ? 285 : kEndOfBlock + 1 + rangeOf(length - kShortestCopy, 2);
-}
-constexpr Range lengthRange(unsigned symbol) {
-  const Range range = rangeAt(symbol - kEndOfBlock - 1, 2);
-  return symbol == 285 ? Range{kLongestCopy, 0} : Range{kShortestCopy + range.base, range.bits};
-}
-/// Distances 1 to 32768.
-constexpr unsigned distanceSymbol(unsigned distance) { return rangeOf(distance - 1, 1); }
-constexpr Range distanceRange(unsigned symbol) {
-  return {rangeAt(symbol, 1).base + 1, rangeAt(symbol, 1).bits};
+/// The index of the last range that begins at `number` or below.
+template <std::size_t count>
+unsigned indexOfRange(unsigned number, const Range (&ranges)[count]) {
+  const auto isBelow = [](unsigned value, Range range) { return value < range.base; };
+  return unsigned(std::upper_bound(ranges, ranges + count, number, isBelow) - ranges) - 1;
 }
 
 /// RFC 1951, 3.2.7: the order in which the lengths of the code for code lengths are stored.
@@ -79,8 +75,8 @@ std::vector<std::uint8_t> fixedDistanceLengths();
 
 /// A literal, or a copy of the `length` bytes that stand `distance` bytes before.
 struct Token {
-  std::uint16_t length;    // of a literal: the byte itself
-  std::uint16_t distance;  // 1..32768; of a literal: 0
+  unsigned length;    // of a literal: the byte itself
+  unsigned distance;  // 1..32768; of a literal: 0
 };
 
 /// The nearest of the longest equal stretches; length 0: none.

@@ -1,10 +1,11 @@
 // Deflate blocks: Huffman codes, and how they and the tokens are written (RFC 1951, 3.2.3
 // to 3.2.7). For each block the symbols are counted, and Huffman's method gives each a code length:
 // the two lightest trees are joined until one is left, and the depth of a leaf is its length. The
-// lengths say the code, for codes of one length are numbered in the order of their symbols. What
-// the block would take with these codes (with the lengths at its head), with the fixed codes, and
-// stored, is known before a bit of it is written; the least is taken.
+// lengths say the code, for codes of one length are numbered in the order of their symbols. The
+// block is said with these codes (and their lengths at its head), and with the fixed codes; which
+// of them is written, or the bytes as they are, is the one of the fewest bits.
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -20,124 +21,144 @@ constexpr std::size_t kMostStored = 65535;  // bytes in a stored block: 16 bits 
 /// Of one alphabet, by symbol.
 using Lengths = std::vector<std::uint8_t>;
 using Counts = std::vector<std::uint32_t>;
+using Code = std::vector<Bits>;
 
-enum Alphabet { kLiterals, kDistances };
+enum Alphabet { kLiterals, kDistances, kCodeLengths };
 
-/// Calls visit(alphabet, symbol, more) for each symbol of a block; `more` are the bits behind it.
-template <class Visit>
-void forEachSymbol(const std::vector<Token>& tokens, const Visit& visit) {
-  for (const Token token : tokens) {
-    if (token.distance == 0) {
-      visit(kLiterals, token.length, Bits{0, 0});
-      continue;
-    }
-    const unsigned length = lengthSymbol(token.length), distance = distanceSymbol(token.distance);
-    const Range lengths = lengthRange(length), distances = distanceRange(distance);
-    visit(kLiterals, length, Bits{token.length - lengths.base, lengths.bits});
-    visit(kDistances, distance, Bits{token.distance - distances.base, distances.bits});
-  }
-  visit(kLiterals, kEndOfBlock, Bits{0, 0});
+struct Symbol {
+  Alphabet alphabet;
+  unsigned number;
+  Bits more;  // the bits behind it
+};
+
+/// The symbol of `first` + n that stands for the n-th range, the one that `value` is in.
+template <std::size_t count>
+Symbol symbolOf(Alphabet alphabet, unsigned first, unsigned value, const Range (&ranges)[count]) {
+  const unsigned index = indexOfRange(value, ranges);
+  return {alphabet, first + index, {value - ranges[index].base, ranges[index].bits}};
 }
 
-/// The two codes of a block.
-struct Codes {
-  Lengths lengths[2];
-  std::vector<Bits> bits[2] = {codeOf(lengths[kLiterals]), codeOf(lengths[kDistances])};
-
-  std::uint64_t bitsFor(const Counts (&counts)[2]) const {
-    std::uint64_t sum = 0;
-    for (const Alphabet alphabet : {kLiterals, kDistances}) {
-      for (std::size_t i = 0; i < counts[alphabet].size(); ++i) {
-        sum += std::uint64_t{counts[alphabet][i]} * bits[alphabet][i].count;
-      }
+/// What a block says behind its codes.
+std::vector<Symbol> symbolsOf(const std::vector<Token>& tokens) {
+  std::vector<Symbol> symbols;
+  symbols.reserve(2 * tokens.size() + 1);
+  for (const Token token : tokens) {
+    if (token.distance == 0) {
+      symbols.push_back({kLiterals, token.length, {0, 0}});
+      continue;
     }
-    return sum;
+    symbols.push_back(symbolOf(kLiterals, kEndOfBlock + 1, token.length, kLengthRanges));
+    symbols.push_back(symbolOf(kDistances, 0, token.distance, kDistanceRanges));
   }
-};
+  symbols.push_back({kLiterals, kEndOfBlock, {0, 0}});
+  return symbols;
+}
 
-/// One entry of the stored code lengths: a length, or (16, 17, 18) a run of them.
-struct LengthStep {
-  std::uint8_t symbol;
-  Bits more;  // the run's length less its least
-};
-
-/// Zeros in runs of 11 to 138 (symbol 18) and of 3 to 10 (17), others repeated 3 to 6 times (16).
-std::vector<LengthStep> stepsOf(const Lengths& lengths) {
-  std::vector<LengthStep> steps;
+/// What says the lengths of codes: each in a symbol of its own, but zeros in runs of 11 to 138
+/// (symbol 18) and of 3 to 10 (17), and 3 to 6 that repeat the one before them (16).
+std::vector<Symbol> symbolsOf(const Lengths& lengths) {
+  std::vector<Symbol> symbols;
   for (std::size_t at = 0; at < lengths.size();) {
     const std::uint8_t length = lengths[at];
-    std::size_t run = 1;
-    while (at + run < lengths.size() && lengths[at + run] == length) ++run;
-    at += run;
-    if (length != 0) {  // 16 repeats the length before it
-      steps.push_back({length, {0, 0}});
+    unsigned run = 0;
+    for (; at < lengths.size() && lengths[at] == length; ++at) ++run;
+    if (length != 0) {
+      symbols.push_back({kCodeLengths, length, {0, 0}});
       --run;
     }
     while (run >= 3) {
-      const auto count = static_cast<unsigned>(std::min<std::size_t>(run, length != 0 ? 6 : 138));
-      steps.push_back(length != 0   ? LengthStep{16, {count - 3, 2}}
-                      : count <= 10 ? LengthStep{17, {count - 3, 3}}
-                                    : LengthStep{18, {count - 11, 7}});
+      const unsigned number = length != 0 ? 16 : run <= 10 ? 17 : 18;
+      const Range repeats = kRepeatRanges[number - 16];
+      const unsigned count = std::min(run, repeats.base + (1u << repeats.bits) - 1);
+      symbols.push_back({kCodeLengths, number, {count - repeats.base, repeats.bits}});
       run -= count;
     }
-    steps.insert(steps.end(), run, {length, {0, 0}});
+    symbols.insert(symbols.end(), run, {kCodeLengths, length, {0, 0}});
   }
-  return steps;
+  return symbols;
 }
+
+/// Of the best code for those symbols that are of this alphabet, which has `size` of them.
+Lengths lengthsFor(const std::vector<Symbol>& symbols, Alphabet alphabet, std::size_t size,
+                   unsigned longest) {
+  Counts counts(size);
+  for (const Symbol& symbol : symbols) {
+    if (symbol.alphabet == alphabet) ++counts[symbol.number];
+  }
+  return codeLengths(counts, longest);
+}
+
+/// The codes of all alphabets that a block uses, and what stands before the first symbol.
+struct Codes {
+  std::array<Code, 3> codes;
+  std::vector<Bits> head;
+
+  /// A symbol in the code of its alphabet, and the bits behind it.
+  Bits operator()(const Symbol& symbol) const {
+    const Bits code = codes[symbol.alphabet][symbol.number];
+    return {code.value | symbol.more.value << code.count, code.count + symbol.more.count};
+  }
+
+  /// The bits of a block of these symbols.
+  std::uint64_t countOf(const std::vector<Symbol>& symbols) const {
+    std::uint64_t sum = 0;
+    for (const Bits bits : head) sum += bits.count;
+    for (const Symbol& symbol : symbols) sum += (*this)(symbol).count;
+    return sum;
+  }
+};
 
 /// Cuts off the symbols at the end that do not occur, but leaves `least`.
 void trim(Lengths& lengths, std::size_t least) {
   while (lengths.size() > least && lengths.back() == 0) lengths.pop_back();
 }
 
-/// RFC 1951, 3.2.7: the head of a block with codes of its own. The lengths of both codes follow
-/// each other as one list of steps; steps are said in a code of their own, and its lengths come
-/// first.
-std::vector<Bits> headOf(const Codes& codes) {
-  Lengths literals = codes.lengths[kLiterals], distances = codes.lengths[kDistances];
+/// RFC 1951, 3.2.7: the best codes. Their lengths follow each other as one list, which is said in a
+/// code of its own; and the lengths of that come first.
+Codes ownCodes(const std::vector<Symbol>& symbols) {
+  Lengths literals = lengthsFor(symbols, kLiterals, kLiteralSymbols, kLongestCode);
+  Lengths distances = lengthsFor(symbols, kDistances, kDistanceSymbols, kLongestCode);
   trim(literals, 257);
   trim(distances, 1);
-  std::vector<Bits> head = {{unsigned(literals.size()) - 257, 5},
-                            {unsigned(distances.size()) - 1, 5}};
-  literals.insert(literals.end(), distances.begin(), distances.end());
-  const std::vector<LengthStep> steps = stepsOf(literals);
-  Counts counts(kLengthCodeSymbols);
-  for (const LengthStep& step : steps) ++counts[step.symbol];
-  const Lengths lengths = codeLengths(counts, kLongestLengthCode);
+  Lengths both = literals;
+  both.insert(both.end(), distances.begin(), distances.end());
+  const std::vector<Symbol> said = symbolsOf(both);
+  const Lengths lengths = lengthsFor(said, kCodeLengths, kLengthCodeSymbols, kLongestLengthCode);
   Lengths inOrder;
   for (const std::uint8_t symbol : kLengthCodeOrder) inOrder.push_back(lengths[symbol]);
   trim(inOrder, 4);
-  head.push_back({unsigned(inOrder.size()) - 4, 4});
-  for (const std::uint8_t length : inOrder) head.push_back({length, 3});
-  const std::vector<Bits> code = codeOf(lengths);
-  for (const LengthStep& step : steps) head.insert(head.end(), {code[step.symbol], step.more});
-  return head;
+  Codes codes = {{codeOf(literals), codeOf(distances), codeOf(lengths)},
+                 {{unsigned(literals.size()) - 257, 5},
+                  {unsigned(distances.size()) - 1, 5},
+                  {unsigned(inOrder.size()) - 4, 4}}};
+  for (const std::uint8_t length : inOrder) codes.head.push_back({length, 3});
+  for (const Symbol& symbol : said) codes.head.push_back(codes(symbol));
+  return codes;
 }
 
-/// The depth of each symbol in a Huffman tree of these weights; 0: the symbol is not in it, or it
-/// is the only one. Nodes are numbered: first the symbols, then the joints in the order of their
-/// making, so that a parent has a greater number than its children. Among equal weights the lower
-/// number is joined first.
-std::vector<std::size_t> depthsInTree(const Counts& weights) {
+/// The depth of each symbol in a Huffman tree of these weights; 0: the symbol is not in it. Nodes
+/// are numbered: first the symbols, then the joints in the order of their making, so that a parent
+/// has a greater number than its children. Among equal weights the lower number is joined first. A
+/// single symbol is joined with nothing.
+Lengths depthsInTree(const Counts& weights) {
   using Tree = std::pair<std::uint64_t, std::size_t>;  // weight, number of the root
   std::priority_queue<Tree, std::vector<Tree>, std::greater<Tree>> trees;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (weights[i] > 0) trees.push({weights[i], i});
   }
-  constexpr std::size_t kNone = 0;  // no symbol is a parent
-  std::vector<std::size_t> parents(weights.size(), kNone);
-  while (trees.size() > 1) {
-    const Tree first = trees.top();
-    trees.pop();
-    const Tree second = trees.top();
-    trees.pop();
-    parents[first.second] = parents[second.second] = parents.size();
-    trees.push({first.first + second.first, parents.size()});
-    parents.push_back(kNone);
+  std::vector<std::size_t> parents(weights.size());  // 0: none, for no symbol is a parent
+  while (!trees.empty()) {
+    std::uint64_t weight = 0;
+    for (int child = 0; child < 2 && !trees.empty(); ++child, trees.pop()) {
+      weight += trees.top().first;
+      parents[trees.top().second] = parents.size();
+    }
+    if (!trees.empty()) trees.push({weight, parents.size()});
+    parents.push_back(0);
   }
-  std::vector<std::size_t> depths(parents.size());
+  Lengths depths(parents.size());  // below 64, as weights double with every second joint
   for (std::size_t node = parents.size(); node-- > 0;) {  // from the root down
-    if (parents[node] != kNone) depths[node] = depths[parents[node]] + 1;
+    if (parents[node] != 0) depths[node] = std::uint8_t(depths[parents[node]] + 1);
   }
   depths.resize(weights.size());
   return depths;
@@ -164,15 +185,10 @@ std::vector<Bits> codeOf(const Lengths& lengths) {
 /// Huffman, A Method for the Construction of Minimum-Redundancy Codes, 1952. Where a code comes out
 /// too long, the counts are halved, which makes them more alike, until it does not.
 Lengths codeLengths(Counts counts, unsigned longest) {
-  std::vector<std::size_t> depths = depthsInTree(counts);
-  while (*std::max_element(depths.begin(), depths.end()) > longest) {
+  Lengths lengths = depthsInTree(counts);
+  while (*std::max_element(lengths.begin(), lengths.end()) > longest) {
     for (std::uint32_t& count : counts) count -= count / 2;  // none that occurs becomes 0
-    depths = depthsInTree(counts);
-  }
-  Lengths lengths(depths.begin(), depths.end());
-  const auto occurs = [](std::uint32_t count) { return count > 0; };
-  if (std::count_if(counts.begin(), counts.end(), occurs) == 1) {
-    lengths[std::size_t(std::find_if(counts.begin(), counts.end(), occurs) - counts.begin())] = 1;
+    lengths = depthsInTree(counts);
   }
   return lengths;
 }
@@ -214,31 +230,18 @@ void BlockWriter::writeStored(const std::uint8_t* bytes, std::size_t size, bool 
 
 void BlockWriter::write(const std::vector<Token>& tokens, const std::uint8_t* bytes,
                         std::size_t size, bool isLast) {
-  Counts counts[2] = {Counts(kLiteralSymbols), Counts(kDistanceSymbols)};
-  std::uint64_t moreBits = 0;  // which are the same with any codes
-  forEachSymbol(tokens, [&](Alphabet alphabet, unsigned symbol, Bits more) {
-    ++counts[alphabet][symbol];
-    moreBits += more.count;
-  });
-  const Codes fixed = {{fixedLiteralLengths(), fixedDistanceLengths()}};
-  const Codes own = {{codeLengths(counts[kLiterals], kLongestCode),
-                      codeLengths(counts[kDistances], kLongestCode)}};
-  std::vector<Bits> head = headOf(own);
-  std::uint64_t ownBits = own.bitsFor(counts) + moreBits;
-  for (const Bits bits : head) ownBits += bits.count;
-  const std::uint64_t fixedBits = fixed.bitsFor(counts) + moreBits;
+  const std::vector<Symbol> symbols = symbolsOf(tokens);
+  const Codes own = ownCodes(symbols);
+  const Codes fixed = {{codeOf(fixedLiteralLengths()), codeOf(fixedDistanceLengths())}, {}};
+  const std::uint64_t ownBits = own.countOf(symbols), fixedBits = fixed.countOf(symbols);
   const std::uint64_t storedBits = 8 * (size + 5 * (size / kMostStored + 1));
   if (storedBits <= std::min(ownBits, fixedBits)) return writeStored(bytes, size, isLast);
   const bool isFixed = fixedBits <= ownBits;
-  if (isFixed) head.clear();
+  const Codes& codes = isFixed ? fixed : own;
   put({isLast, 1});
   put({isFixed ? 1u : 2u, 2});
-  for (const Bits bits : head) put(bits);
-  const Codes& codes = isFixed ? fixed : own;
-  forEachSymbol(tokens, [&](Alphabet alphabet, unsigned symbol, Bits more) {
-    put(codes.bits[alphabet][symbol]);
-    put(more);
-  });
+  for (const Bits bits : codes.head) put(bits);
+  for (const Symbol& symbol : symbols) put(codes(symbol));
 }
 
 }  // namespace deflate

@@ -1,8 +1,7 @@
 // Inflate: decompresses deflate data, block after block.
-// A code is looked up by the next ten bits: a table has the symbol of every code of up to ten bits
-// at all places that begin with it. Longer codes, which are rare, are found bit by bit: the codes
-// of one length are consecutive numbers, so that the first one and their count tell whether the
-// bits so far are one (Adler, puff, 2002).
+// A code is looked up by the next bits, as many as the longest code has: a table has the symbol and
+// length of each code at all places that begin with it. What a code says is a byte, or how long and
+// how far back the copy is that follows; both end up behind the output.
 #include <algorithm>
 
 #include "image/deflate.h"
@@ -10,6 +9,11 @@
 namespace {
 
 using deflate::kEndOfBlock;
+
+/// Throws InflateError where the claim does not hold.
+void check(bool claim, const char* otherwise) {
+  if (!claim) throw InflateError(otherwise);
+}
 
 /// The bits of the input, the lowest bit of each byte first.
 class BitReader {
@@ -31,7 +35,7 @@ class BitReader {
     return bits_ & ((1u << count) - 1);
   }
   void drop(unsigned count) {
-    if (count > held_) throw InflateError("compressed data ends too early");
+    check(count <= held_, "compressed data ends too early");
     bits_ >>= count;
     held_ -= count;
   }
@@ -57,10 +61,8 @@ class Decoder {
     const std::vector<deflate::Bits> code = deflate::codeOf(lengths);
     std::size_t taken = 0;  // places of the table; a code of n bits has one in 2^n of them
     for (const deflate::Bits bits : code) taken += bits.count > 0 ? table_.size() >> bits.count : 0;
-    if (taken > table_.size()) throw InflateError("more codes than their lengths allow");
-    if (taken < table_.size() && longest_ > 1) {
-      throw InflateError("fewer codes than their lengths need");
-    }
+    check(taken <= table_.size(), "more codes than their lengths allow");
+    check(taken == table_.size() || longest_ <= 1, "fewer codes than their lengths need");
     for (std::size_t symbol = 0; symbol < code.size(); ++symbol) {
       if (code[symbol].count == 0) continue;
       for (unsigned at = code[symbol].value; at < table_.size(); at += 1u << code[symbol].count) {
@@ -71,7 +73,7 @@ class Decoder {
 
   unsigned take(BitReader& bits) const {
     const Entry entry = table_[bits.peek(longest_)];
-    if (entry.length == 0) throw InflateError("a code that stands for nothing");
+    check(entry.length > 0, "a code that stands for nothing");
     bits.drop(entry.length);
     return entry.symbol;
   }
@@ -95,7 +97,7 @@ class Inflater {
     for (bool isLast = false; !isLast;) {
       isLast = bits_.take(1) != 0;
       const unsigned type = bits_.take(2);
-      if (type == 3) throw InflateError("a block of the reserved type 3");
+      check(type < 3, "a block of the reserved type 3");
       if (type == 0) copyStored();
       if (type == 1) {
         decodeBlock(Decoder(deflate::fixedLiteralLengths()),
@@ -117,18 +119,17 @@ class Inflater {
   void copyStored() {
     bits_.dropRestOfByte();
     const unsigned size = bits_.take(16);
-    if ((bits_.take(16) ^ size) != 0xFFFF) throw InflateError("a stored block of unclear length");
+    check((bits_.take(16) ^ size) == 0xFFFF, "a stored block of unclear length");
     checkRoom(size);
     for (unsigned i = 0; i < size; ++i) output_.push_back(std::uint8_t(bits_.take(8)));
   }
 
   void decodeDynamic() {  // RFC 1951, 3.2.7
     const unsigned literals = bits_.take(5) + 257, distances = bits_.take(5) + 1;
-    if (literals > deflate::kLiteralSymbols || distances > deflate::kDistanceSymbols) {
-      throw InflateError("more symbols than there are");
-    }
+    check(literals <= deflate::kLiteralSymbols && distances <= deflate::kDistanceSymbols,
+          "more symbols than there are");
     const std::vector<std::uint8_t> lengths = readCodeLengths(literals + distances);
-    if (lengths[kEndOfBlock] == 0) throw InflateError("a block that cannot end");
+    check(lengths[kEndOfBlock] > 0, "a block that cannot end");
     const auto middle = lengths.begin() + literals;
     decodeBlock(Decoder({lengths.begin(), middle}), Decoder({middle, lengths.end()}));
   }
@@ -143,13 +144,10 @@ class Inflater {
     std::vector<std::uint8_t> lengths;
     while (lengths.size() < count) {
       const unsigned symbol = code.take(bits_);
-      if (symbol == 16 && lengths.empty()) throw InflateError("a code length that repeats nothing");
+      check(symbol != 16 || !lengths.empty(), "a code length that repeats nothing");
       const unsigned length = symbol < 16 ? symbol : symbol == 16 ? lengths.back() : 0;
-      const unsigned times = symbol < 16    ? 1
-                             : symbol == 16 ? 3 + bits_.take(2)
-                             : symbol == 17 ? 3 + bits_.take(3)
-                                            : 11 + bits_.take(7);
-      if (times > count - lengths.size()) throw InflateError("more code lengths than symbols");
+      const std::size_t times = symbol < 16 ? 1 : takeFrom(deflate::kRepeatRanges, symbol - 16);
+      check(times <= count - lengths.size(), "more code lengths than symbols");
       lengths.insert(lengths.end(), times, static_cast<std::uint8_t>(length));
     }
     return lengths;
@@ -169,18 +167,19 @@ class Inflater {
   }
 
   void copy(unsigned symbol, const Decoder& distances) {
-    constexpr const char* kNone = "a length or distance that does not exist";
-    if (symbol >= deflate::kLiteralSymbols) throw InflateError(kNone);
-    const deflate::Range lengths = deflate::lengthRange(symbol);
-    const std::size_t length = lengths.base + bits_.take(lengths.bits);
-    const unsigned distanceSymbol = distances.take(bits_);
-    if (distanceSymbol >= deflate::kDistanceSymbols) throw InflateError(kNone);
-    const deflate::Range range = deflate::distanceRange(distanceSymbol);
-    const std::size_t distance = range.base + bits_.take(range.bits);
-    if (distance > output_.size()) throw InflateError("a copy from before the beginning");
+    const std::size_t length = takeFrom(deflate::kLengthRanges, symbol - kEndOfBlock - 1);
+    const std::size_t distance = takeFrom(deflate::kDistanceRanges, distances.take(bits_));
+    check(distance <= output_.size(), "a copy from before the beginning");
     checkRoom(length);
     // Byte by byte: a copy may overlap itself.
     for (std::size_t i = 0; i < length; ++i) output_.push_back(output_[output_.size() - distance]);
+  }
+
+  /// The number that the range at this index and the next bits stand for.
+  template <std::size_t count>
+  std::size_t takeFrom(const deflate::Range (&ranges)[count], unsigned index) {
+    check(index < count, "a length or distance that does not exist");
+    return ranges[index].base + bits_.take(ranges[index].bits);
   }
 
   BitReader bits_;
@@ -198,20 +197,18 @@ Bytes inflate(const Bytes& input, std::size_t& position, std::size_t most) {
 }
 
 Bytes inflateZlib(const Bytes& input, std::size_t most) {
-  if (input.size() < 2) throw InflateError("compressed data ends too early");
+  check(input.size() >= 2, "compressed data ends too early");
   const unsigned method = input[0] & 15u, window = input[0] >> 4;
-  if (method != 8 || window > 7 || (input[0] * 256 + input[1]) % 31 != 0) {
-    throw InflateError("expected the head of zlib data");
-  }
-  if ((input[1] & 0x20) != 0) throw InflateError("a preset dictionary is not supported");
+  check(method == 8 && window <= 7 && (input[0] * 256 + input[1]) % 31 == 0,
+        "expected the head of zlib data");
+  check((input[1] & 0x20) == 0, "a preset dictionary is not supported");
   std::size_t position = 2;
   Bytes output = inflate(input, position, most);
-  if (input.size() - position != 4) {
-    throw InflateError("expected 4 bytes after the compressed data, found " +
-                       std::to_string(input.size() - position));
+  const std::size_t rest = input.size() - position;
+  if (rest != 4) {
+    throw InflateError("expected 4 bytes after the compressed data, found " + std::to_string(rest));
   }
-  if (bigEndian32(&input[position]) != adler32(output.data(), output.size())) {
-    throw InflateError("the Adler-32 checksum is wrong");
-  }
+  check(bigEndian32(&input[position]) == adler32(output.data(), output.size()),
+        "the Adler-32 checksum is wrong");
   return output;
 }

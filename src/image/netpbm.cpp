@@ -27,9 +27,8 @@ class NetpbmReader {
 
   Image read() {
     const unsigned kind = reader_.take(2, "kind of picture")[1];
-    if (kind == '1' || kind == '4' || kind == '7') {
-      reader_.fail("P", char(kind), " pictures are not supported, only P2, P3, P5, P6, PF and Pf");
-    }
+    reader_.check(kind != '1' && kind != '4' && kind != '7', "P", char(kind),
+                  " pictures are not supported, only P2, P3, P5, P6, PF and Pf");
     isFloat_ = kind == 'F' || kind == 'f';
     isText_ = kind == '2' || kind == '3';
     isGrey_ = kind != '3' && kind != '6' && kind != 'F';
@@ -40,9 +39,8 @@ class NetpbmReader {
     } else {
       maximum_ = takeNumber("maximum", 1, kMostSample);
     }
-    if (!isSpace(reader_.takeByte("end of the head"))) {
-      reader_.fail("expected a line break behind the head");
-    }
+    reader_.check(isSpace(reader_.takeByte("end of the head")),
+                  "expected a line break behind the head");
     // A number takes at least a digit and a blank, but for the last one.
     const std::size_t size = isText_ ? 2 : isFloat_ ? 4 : maximum_ > 255 ? 2 : 1;
     const std::size_t room = reader_.remaining() + (isText_ ? 1 : 0);
@@ -72,10 +70,8 @@ class NetpbmReader {
     const bool isThere = isNext(isDigit);
     std::uint64_t value = 0;
     while (isNext(isDigit) && value <= most) value = value * 10 + reader_.takeByte("number") - '0';
-    if (!isThere || value < least || value > most) {
-      reader_.fail("expected a ", what, " of ", least, " to ", most, ", found ",
-                   isThere ? std::to_string(value) : "none");
-    }
+    reader_.check(isThere && value >= least && value <= most, "expected a ", what, " of ", least,
+                  " to ", most, ", found ", isThere ? std::to_string(value) : "none");
     return static_cast<unsigned>(value);
   }
 
@@ -88,7 +84,7 @@ class NetpbmReader {
     }
     const bool isNumber = word.find_first_of("0123456789") != std::string::npos &&
                           word.find_first_not_of("+-.0123456789eE") == std::string::npos;
-    if (!isNumber) reader_.fail("expected a scale such as -1");
+    reader_.check(isNumber, "expected a scale such as -1");
     isLowFirst_ = word[0] == '-';
   }
 
@@ -110,16 +106,9 @@ class NetpbmReader {
   /// As a byte: a sample s of at most m as 255 s / m, rounded to nearest.
   std::uint8_t takeSample() {
     if (isFloat_) return byteFromComponent(takeFloat());
-    unsigned value = 0;
-    if (isText_) {
-      value = takeNumber("sample", 0, maximum_);
-    } else {
-      value = reader_.takeByte("sample");
-      if (maximum_ > 255) value = value * 256 + reader_.takeByte("sample");
-      if (value > maximum_) {
-        reader_.fail("expected a sample of at most ", maximum_, ", found ", value);
-      }
-    }
+    unsigned value = isText_ ? takeNumber("sample", 0, maximum_) : reader_.takeByte("sample");
+    if (!isText_ && maximum_ > 255) value = value * 256 + reader_.takeByte("sample");
+    reader_.check(value <= maximum_, "expected a sample of at most ", maximum_, ", found ", value);
     return static_cast<std::uint8_t>((value * 255 + maximum_ / 2) / maximum_);
   }
 
@@ -142,29 +131,23 @@ class NetpbmReader {
 void encodePpm(const Image& image, const Sink& sink) {
   sink(headOf("P6", image.Width(), image.Height(), "255"));
   for (int y = image.Height() - 1; y >= 0; --y) {
-    Bytes row;
-    for (int x = 0; x < image.Width(); ++x) {
-      const Rgb8 pixel = image.getPixel(x, y);
-      row.insert(row.end(), {pixel.r, pixel.g, pixel.b});
-    }
-    sink(row);
+    const std::uint8_t* const row = image.rowBytes(y);
+    sink(Bytes(row, row + 3 * std::size_t(image.Width())));
   }
 }
 
 void encodePfm(int width, int height, const std::function<Vec3f(int x, int y)>& colorOf,
                const Sink& sink) {
+  static_assert(sizeof(float) == 4);
   sink(headOf("PF", width, height, "-1"));
   for (int y = 0; y < height; ++y) {
     Bytes row;
     for (int x = 0; x < width; ++x) {
       const Vec3f color = colorOf(x, y);
       for (const float component : {color.r(), color.g(), color.b()}) {
-        static_assert(sizeof(float) == 4);
         std::uint32_t bits = 0;
         std::memcpy(&bits, &component, sizeof bits);
-        for (int shift = 0; shift < 32; shift += 8) {
-          row.push_back(static_cast<std::uint8_t>(bits >> shift & 255));
-        }
+        appendLittleEndian(bits, 4, row);
       }
     }
     sink(row);

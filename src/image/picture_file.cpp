@@ -11,35 +11,24 @@
 
 namespace {
 
-/// The TGA rows of a picture: blue comes first.
-class BgrRows {
- public:
-  explicit BgrRows(const Image& image) : image_(image), row_(3 * std::size_t(image.Width())) {}
-
-  const Bytes& operator()(int y) {
-    std::uint8_t* next = row_.data();
-    for (int x = 0; x < image_.Width(); ++x) {
-      const Rgb8 pixel = image_.getPixel(x, image_.Height() - 1 - y);
-      *next++ = pixel.b;
-      *next++ = pixel.g;
-      *next++ = pixel.r;
-    }
-    return row_;
-  }
-
- private:
-  const Image& image_;
-  Bytes row_;
-};
-
 Vec3f colorOf(Rgb8 pixel) { return Vec3f(pixel.r / 255.0f, pixel.g / 255.0f, pixel.b / 255.0f); }
 
 void encode(const Image& image, PictureFormat format, int threads, const TgaPlace& place,
             const Sink& sink) {
   const int width = image.Width(), height = image.Height();
   switch (format) {
-    case PictureFormat::tga:
-      return encodeTga(width, height, BgrRows(image), place, sink);
+    case PictureFormat::tga: {
+      Bytes row;
+      return encodeTga(
+          width, height,
+          [&](int y) -> const Bytes& {
+            const std::uint8_t* const rgb = image.rowBytes(height - 1 - y);
+            row.assign(rgb, rgb + 3 * std::size_t(width));
+            for (std::size_t i = 0; i < row.size(); i += 3) std::swap(row[i], row[i + 2]);
+            return row;
+          },
+          place, sink);
+    }
     case PictureFormat::png:
       return encodePng(image, sink, threads);
     case PictureFormat::ppm:

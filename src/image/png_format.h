@@ -30,18 +30,11 @@ inline int paeth(int left, int above, int corner) {
 /// RFC 2083, 6: the guess of a byte from that of the pixel to the left, above, and above left
 /// (`corner`); outside the picture they are 0.
 inline int predict(unsigned filter, int left, int above, int corner) {
-  switch (filter) {
-    case 0:
-      return 0;
-    case 1:
-      return left;
-    case 2:
-      return above;
-    case 3:
-      return (left + above) / 2;
-    default:
-      return paeth(left, above, corner);
-  }
+  return filter == 0   ? 0
+         : filter == 1 ? left
+         : filter == 2 ? above
+         : filter == 3 ? (left + above) / 2
+                       : paeth(left, above, corner);
 }
 
 /// Filters a row of `size` bytes, `perPixel` of them a pixel, to out[0..size), and gives the sum of

@@ -25,19 +25,17 @@ struct Chunk {
 
 Chunk takeChunk(ByteReader& reader) {
   const std::uint32_t size = bigEndian32(reader.take(4, "chunk length"));
-  if (size > kLongestField) reader.fail("expected a chunk length below 2^31");
+  reader.check(size <= kLongestField, "expected a chunk length below 2^31");
   const std::uint8_t* const type = reader.take(4, "chunk type");
   const bool isNamed = std::all_of(type, type + 4, [](std::uint8_t c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
   });
-  if (!isNamed) {
-    reader.fail("expected a chunk type of four letters at byte ", reader.position() - 4);
-  }
+  reader.check(isNamed, "expected a chunk type of four letters at byte ", reader.position() - 4);
   Chunk chunk = {std::string(type, type + 4), nullptr, size};
   chunk.data = reader.take(size, chunk.type + " chunk");
-  if (bigEndian32(reader.take(4, "chunk checksum")) != png::crc32(type, 4 + chunk.size)) {
-    reader.fail("the CRC-32 checksum of chunk ", chunk.type, " is wrong");
-  }
+  const std::uint32_t checksum = bigEndian32(reader.take(4, "chunk checksum"));
+  reader.check(checksum == png::crc32(type, 4 + chunk.size), "the CRC-32 checksum of chunk ",
+               chunk.type, " is wrong");
   return chunk;
 }
 
@@ -53,8 +51,8 @@ class PngReader {
       readChunk(chunk, before);
       before = chunk.type;
     }
-    if (chunk.size != 0) reader_.fail("expected an empty IEND chunk");
-    if (!hasData_) reader_.fail("expected image data before IEND, found none");
+    reader_.check(chunk.size == 0, "expected an empty IEND chunk");
+    reader_.check(hasData_, "expected image data before IEND, found none");
     Bytes rows = inflateRows();
     Image image(static_cast<int>(width_), static_cast<int>(height_));
     for (std::size_t row = 0; row < height_; ++row) {
@@ -69,61 +67,51 @@ class PngReader {
 
  private:
   void readHeader(const Chunk& chunk) {
-    if (chunk.type != "IHDR" || chunk.size != 13) {
-      reader_.fail("expected an IHDR chunk of 13 bytes first, found ", chunk.type, " of ",
-                   chunk.size);
-    }
+    reader_.check(chunk.type == "IHDR" && chunk.size == 13,
+                  "expected an IHDR chunk of 13 bytes first, found ", chunk.type, " of ",
+                  chunk.size);
     width_ = bigEndian32(chunk.data);
     height_ = bigEndian32(chunk.data + 4);
-    if (std::min(width_, height_) < 1 || std::max(width_, height_) > kLongestField) {
-      reader_.fail("expected a width and height of 1 to 2^31 - 1, found ", width_, " x ", height_);
-    }
-    const unsigned depth = chunk.data[8], compression = chunk.data[10], filter = chunk.data[11];
+    reader_.check(std::min(width_, height_) >= 1 && std::max(width_, height_) <= kLongestField,
+                  "expected a width and height of 1 to 2^31 - 1, found ", width_, " x ", height_);
+    const unsigned depth = chunk.data[8], compression = chunk.data[10], filter = chunk.data[11],
+                   interlace = chunk.data[12];
     colorType_ = chunk.data[9];
     constexpr unsigned kChannels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type
     channels_ = colorType_ < std::size(kChannels) ? kChannels[colorType_] : 0;
-    if (channels_ == 0) {
-      reader_.fail("expected a colour type of 0, 2, 3, 4 or 6, found ", colorType_);
-    }
-    if (depth != 8) {
-      reader_.fail("PNG images of ", depth, " bits per sample are not supported, only of 8");
-    }
-    if (compression != 0 || filter != 0) {
-      reader_.fail("expected compression and filter method 0, found ", compression, " and ",
-                   filter);
-    }
-    if (chunk.data[12] == 1) reader_.fail("interlaced PNG images are not supported");
-    if (chunk.data[12] != 0) reader_.fail("expected interlace method 0 or 1");
+    reader_.check(channels_ > 0, "expected a colour type of 0, 2, 3, 4 or 6, found ", colorType_);
+    reader_.check(depth == 8, "PNG images of ", depth,
+                  " bits per sample are not supported, only of 8");
+    reader_.check(compression == 0 && filter == 0,
+                  "expected compression and filter method 0, found ", compression, " and ", filter);
+    reader_.check(interlace != 1, "interlaced PNG images are not supported");
+    reader_.check(interlace == 0, "expected interlace method 0 or 1");
   }
 
   /// `before` is the type of the chunk before this one.
   void readChunk(const Chunk& chunk, const std::string& before) {
     if (chunk.type == "IDAT") {
-      if (hasData_ && before != "IDAT") reader_.fail("expected IDAT chunks without a gap");
-      if (colorType_ == png::kPalette && palette_.empty()) {
-        reader_.fail("expected PLTE before IDAT");
-      }
+      reader_.check(!hasData_ || before == "IDAT", "expected IDAT chunks without a gap");
+      reader_.check(colorType_ != png::kPalette || !palette_.empty(), "expected PLTE before IDAT");
       hasData_ = true;
       data_.insert(data_.end(), chunk.data, chunk.data + chunk.size);
     } else if (chunk.type == "PLTE") {
       readPalette(chunk);
     } else if (chunk.type == "tRNS") {
       checkTransparency(chunk);
-    } else if (chunk.type[0] <= 'Z') {  // a capital: nobody may skip it
-      reader_.fail("the critical chunk ", chunk.type, " is unknown or out of place");
+    } else {  // a small letter: it may be skipped
+      reader_.check(chunk.type[0] > 'Z', "the critical chunk ", chunk.type,
+                    " is unknown or out of place");
     }
   }
 
   void readPalette(const Chunk& chunk) {
-    if (hasData_ || hasTransparency_ || !palette_.empty()) {
-      reader_.fail("expected one PLTE chunk, before tRNS and IDAT");
-    }
-    if (colorType_ == png::kGrey || colorType_ == png::kGreyAlpha) {
-      reader_.fail("expected no PLTE chunk in a grey image");
-    }
-    if (chunk.size == 0 || chunk.size > 768 || chunk.size % 3 != 0) {
-      reader_.fail("expected 1 to 256 palette entries of 3 bytes, found ", chunk.size, " bytes");
-    }
+    reader_.check(!hasData_ && !hasTransparency_ && palette_.empty(),
+                  "expected one PLTE chunk, before tRNS and IDAT");
+    reader_.check(colorType_ != png::kGrey && colorType_ != png::kGreyAlpha,
+                  "expected no PLTE chunk in a grey image");
+    reader_.check(chunk.size > 0 && chunk.size <= 768 && chunk.size % 3 == 0,
+                  "expected 1 to 256 palette entries of 3 bytes, found ", chunk.size, " bytes");
     for (std::size_t i = 0; i < chunk.size; i += 3) {
       palette_.push_back({chunk.data[i], chunk.data[i + 1], chunk.data[i + 2]});
     }
@@ -131,21 +119,16 @@ class PngReader {
 
   /// Transparency is dropped, but a chunk that is at fault is a file that is at fault.
   void checkTransparency(const Chunk& chunk) {
-    if (hasData_ || hasTransparency_) reader_.fail("expected one tRNS chunk, before IDAT");
+    reader_.check(!hasData_ && !hasTransparency_, "expected one tRNS chunk, before IDAT");
     hasTransparency_ = true;
-    const bool fits = colorType_ == png::kGrey      ? chunk.size == 2
-                      : colorType_ == png::kRgb     ? chunk.size == 6
-                      : colorType_ == png::kPalette ? chunk.size <= palette_.size()
-                                                    : false;
-    if (!fits) {
-      reader_.fail("a tRNS chunk of ", chunk.size,
-                   " bytes does not fit the colour type or palette");
-    }
+    const bool fits = (colorType_ == png::kGrey && chunk.size == 2) ||
+                      (colorType_ == png::kRgb && chunk.size == 6) ||
+                      (colorType_ == png::kPalette && chunk.size <= palette_.size());
+    reader_.check(fits, "a tRNS chunk of ", chunk.size,
+                  " bytes does not fit the colour type or palette");
   }
 
-  /// Bytes of a pixel, which is how far filters look back, and of a row with its filter. Samples of
-  /// other depths than 8 bits would change these two and pixelOf.
-  std::size_t perPixel() const { return channels_; }
+  /// Bytes of a row with its filter.
   std::uint64_t stride() const { return 1 + std::uint64_t{width_} * channels_; }
 
   /// All rows, each behind its filter.
@@ -153,24 +136,26 @@ class PngReader {
     const std::uint64_t size = height_ * stride(), pixels = std::uint64_t{width_} * height_;
     const bool isPossible = size / kMostExpansion <= data_.size();
     reader_.checkSize(width_, height_, isPossible ? pixels : 0, data_.size(), " compressed");
+    Bytes rows;
     try {
-      Bytes rows = inflateZlib(data_, size);
-      if (rows.size() == size) return rows;
-      reader_.fail("expected ", size, " bytes of image data, found ", rows.size());
+      rows = inflateZlib(data_, size);
     } catch (const InflateError& error) {
       reader_.fail("in the image data: ", error.what());
     }
+    reader_.check(rows.size() == size, "expected ", size, " bytes of image data, found ",
+                  rows.size());
+    return rows;
   }
 
   /// `row` points at the filter byte; the row before it is already done. Beyond the edges is 0.
   void undoFilter(std::uint8_t* row, bool hasAbove) const {
     const unsigned filter = row[0];
-    if (filter >= png::kFilters) reader_.fail("expected a filter of 0 to 4, found ", filter);
+    reader_.check(filter < png::kFilters, "expected a filter of 0 to 4, found ", filter);
     for (std::size_t i = 1; filter != 0 && i < stride(); ++i) {
-      const bool hasLeft = i > perPixel();
-      const int left = hasLeft ? row[i - perPixel()] : 0;
+      const bool hasLeft = i > channels_;
+      const int left = hasLeft ? row[i - channels_] : 0;
       const int above = hasAbove ? *(row + i - stride()) : 0;
-      const int corner = hasLeft && hasAbove ? *(row + i - stride() - perPixel()) : 0;
+      const int corner = hasLeft && hasAbove ? *(row + i - stride() - channels_) : 0;
       row[i] = static_cast<std::uint8_t>(row[i] + png::predict(filter, left, above, corner));
     }
   }

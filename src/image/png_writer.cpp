@@ -2,10 +2,11 @@
 // Of an RGB row all five filters are tried, and the one is taken whose differences have the least
 // sum of absolute values (RFC 2083, 9.6): slopes then become many small numbers, which compress
 // well. Indices of a palette are no measure of anything, and stay as they are.
-// The rows are taken in pieces of some 256 KB, which threads filter and then compress apart; each
-// piece is one IDAT chunk. Where a piece ends, its last byte is filled up, and copies reach back
-// into the piece before it, so that the stream is a little longer than without, and the same for
-// any number of threads. A stretch of pieces at a time is held in memory.
+// The rows are taken in pieces of some 256 KB, which threads filter and compress apart; each piece
+// is one IDAT chunk. Where a piece ends, its last byte is filled up, and copies reach back into the
+// piece before it, the end of which is filtered once more for that; so the stream is a little
+// longer than without, and the same for any number of threads. Some pieces at a time are held in
+// memory.
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -46,16 +47,10 @@ std::uint64_t filterRow(unsigned filter, unsigned perPixel, const std::uint8_t* 
 
 namespace {
 
-constexpr std::size_t kMostColors = 256;   // of a palette
-constexpr std::size_t kPiece = 1 << 18;    // bytes of filtered rows, about
-constexpr std::size_t kPiecesAtOnce = 32;  // 8 MB
-constexpr std::size_t kStack = 1 << 18;    // bytes, of a thread
-
-void appendBigEndian(std::uint32_t value, Bytes& bytes) {
-  for (int shift = 24; shift >= 0; shift -= 8) {
-    bytes.push_back(static_cast<std::uint8_t>(value >> shift & 255));
-  }
-}
+constexpr std::size_t kMostColors = 256;  // of a palette
+constexpr std::size_t kPiece = 1 << 18;   // bytes of filtered rows, about
+constexpr std::size_t kHeld = 1 << 23;    // and of all pieces that are held at once
+constexpr std::size_t kStack = 1 << 18;   // bytes, of a thread
 
 Bytes chunk(const char* type, const Bytes& data) {
   Bytes bytes;
@@ -96,63 +91,59 @@ class PngWriter {
 
   void write() {
     sink_(Bytes(std::begin(png::kSignature), std::end(png::kSignature)));
-    sink_(header());
-    if (!palette_.empty()) sink_(palette());
-    const int rows = static_cast<int>(rowsOfPiece_ * kPiecesAtOnce);
-    for (int top = 0; top < image_.Height(); top += std::min(rows, image_.Height() - top)) {
-      writeStretch(top, std::min(rows, image_.Height() - top));
+    writeHead();
+    const std::size_t piecesAtOnce = 1 + kHeld / (rowsOfPiece_ * stride_);
+    std::uint32_t checksum = 1;
+    for (std::size_t first = 0; first < pieces_; first += piecesAtOnce) {
+      std::vector<Piece> pieces(std::min(piecesAtOnce, pieces_ - first));
+      shareOnThreads(threads_, kStack, pieces.size(),
+                     [&](std::size_t i) { pieces[i] = pieceAt(first + i); });
+      for (Piece& piece : pieces) {
+        checksum = adler32(&piece.rows[piece.begin], piece.rows.size() - piece.begin, checksum);
+        const bool isLast = &piece == &pieces.back() && first + pieces.size() == pieces_;
+        if (isLast) appendBigEndian(checksum, piece.packed);
+        sink_(chunk("IDAT", piece.packed));
+      }
     }
     sink_(chunk("IEND", {}));
   }
 
  private:
-  Bytes header() const {
-    Bytes data;
-    appendBigEndian(static_cast<std::uint32_t>(image_.Width()), data);
-    appendBigEndian(static_cast<std::uint32_t>(image_.Height()), data);
+  struct Piece {
+    Bytes rows;         // filtered, from the one with the first byte that a copy may reach on
+    std::size_t begin;  // of its own ones
+    Bytes packed;
+  };
+
+  void writeHead() const {
+    Bytes head, colors;
+    appendBigEndian(static_cast<std::uint32_t>(image_.Width()), head);
+    appendBigEndian(static_cast<std::uint32_t>(image_.Height()), head);
     const std::uint8_t type = palette_.empty() ? png::kRgb : png::kPalette;
-    data.insert(data.end(), {8, type, 0, 0, 0});  // bits; deflate, filters, not interlaced
-    return chunk("IHDR", data);
+    head.insert(head.end(), {8, type, 0, 0, 0});  // bits; deflate, filters, not interlaced
+    sink_(chunk("IHDR", head));
+    for (const Rgb8 color : palette_) colors.insert(colors.end(), {color.r, color.g, color.b});
+    if (!palette_.empty()) sink_(chunk("PLTE", colors));
   }
 
-  Bytes palette() const {
-    Bytes data;
-    for (const Rgb8 color : palette_) data.insert(data.end(), {color.r, color.g, color.b});
-    return chunk("PLTE", data);
+  Piece pieceAt(std::size_t index) const {
+    const std::size_t top = index * rowsOfPiece_;
+    const std::size_t bottom = std::min(top + rowsOfPiece_, std::size_t(image_.Height()));
+    const std::size_t before = std::min(top, (deflate::kWindow + stride_ - 1) / stride_);
+    Piece piece = {Bytes((before + bottom - top) * stride_), before * stride_, {}};
+    filterRows(int(top - before), int(bottom), piece.rows.data());
+    piece.packed = deflatePiece(piece.rows, piece.begin, piece.rows.size(), index + 1 == pieces_);
+    if (index == 0) {
+      piece.packed.insert(piece.packed.begin(), std::begin(kZlibHead), std::end(kZlibHead));
+    }
+    return piece;
   }
 
-  /// Writes `count` rows from the one that is `top`-th from the top on.
-  void writeStretch(int top, int count) {
-    const std::size_t window = std::min<std::size_t>(filtered_.size(), deflate::kWindow);
-    filtered_.erase(filtered_.begin(), filtered_.end() - std::ptrdiff_t(window));
-    filtered_.resize(window + std::size_t(count) * stride_);
-    const std::size_t pieces = (std::size_t(count) + rowsOfPiece_ - 1) / rowsOfPiece_;
-    const auto rowOfPiece = [&](std::size_t i) {
-      return std::min(std::size_t(count), i * rowsOfPiece_);
-    };
-    // All pieces are filtered before the first is compressed, for copies reach into the one before.
-    shareOnThreads(threads_, kStack, pieces, [&](std::size_t i) {
-      const std::size_t first = rowOfPiece(i);
-      filterRows(top + int(first), int(rowOfPiece(i + 1) - first),
-                 &filtered_[window + first * stride_]);
-    });
-    std::vector<Bytes> packed(pieces);
-    const bool isLast = top + count == image_.Height();
-    shareOnThreads(threads_, kStack, pieces, [&](std::size_t i) {
-      packed[i] = deflatePiece(filtered_, window + rowOfPiece(i) * stride_,
-                               window + rowOfPiece(i + 1) * stride_, isLast && i + 1 == pieces);
-    });
-    checksum_ = adler32(&filtered_[window], filtered_.size() - window, checksum_);
-    if (top == 0) packed[0].insert(packed[0].begin(), std::begin(kZlibHead), std::end(kZlibHead));
-    if (isLast) appendBigEndian(checksum_, packed.back());
-    for (const Bytes& data : packed) sink_(chunk("IDAT", data));
-  }
-
-  /// Puts `count` filtered rows from the top-th one on behind each other, each behind its filter.
-  void filterRows(int top, int count, std::uint8_t* out) const {
+  /// Puts the rows top <= y < bottom, from the top, behind each other, each behind its filter.
+  void filterRows(int top, int bottom, std::uint8_t* out) const {
     Bytes above(perPixel_ + rowSize_), row(above), tried(rowSize_);
     if (top > 0) readRow(top - 1, &above[perPixel_]);
-    for (int y = top; y < top + count; ++y, out += stride_) {
+    for (int y = top; y < bottom; ++y, out += stride_) {
       readRow(y, &row[perPixel_]);
       std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
       for (unsigned filter = 0; filter < (palette_.empty() ? png::kFilters : 1); ++filter) {
@@ -169,16 +160,12 @@ class PngWriter {
 
   /// The samples of the row that is y-th from the top.
   void readRow(int y, std::uint8_t* out) const {
-    for (int x = 0; x < image_.Width(); ++x) {
-      const Rgb8 pixel = image_.getPixel(x, image_.Height() - 1 - y);
-      if (palette_.empty()) {
-        *out++ = pixel.r;
-        *out++ = pixel.g;
-        *out++ = pixel.b;
-      } else {
-        const auto place = std::lower_bound(palette_.begin(), palette_.end(), pixel, isLess);
-        *out++ = static_cast<std::uint8_t>(place - palette_.begin());
-      }
+    const int row = image_.Height() - 1 - y;
+    if (palette_.empty()) std::copy_n(image_.rowBytes(row), rowSize_, out);
+    for (int x = 0; !palette_.empty() && x < image_.Width(); ++x) {
+      const Rgb8 pixel = image_.getPixel(x, row);
+      const auto place = std::lower_bound(palette_.begin(), palette_.end(), pixel, isLess);
+      *out++ = static_cast<std::uint8_t>(place - palette_.begin());
     }
   }
 
@@ -189,8 +176,7 @@ class PngWriter {
   const unsigned perPixel_ = palette_.empty() ? 3 : 1;
   const std::size_t rowSize_ = perPixel_ * std::size_t(image_.Width()), stride_ = 1 + rowSize_;
   const std::size_t rowsOfPiece_ = (kPiece + stride_ - 1) / stride_;
-  Bytes filtered_;  // the rows of the stretch, behind the end of those before
-  std::uint32_t checksum_ = 1;
+  const std::size_t pieces_ = (std::size_t(image_.Height()) + rowsOfPiece_ - 1) / rowsOfPiece_;
 };
 
 }  // namespace

@@ -18,12 +18,6 @@ constexpr std::size_t kLongestPacket = 128;  // pixels
 
 enum class PixelKind { indices = 1, colors, greys };  // the lowest 3 bits of the image type
 
-void setNumber(int number, std::uint8_t* bytes) {
-  assert(number >= 0 && number <= 65535);
-  bytes[0] = static_cast<std::uint8_t>(number & 255);
-  bytes[1] = static_cast<std::uint8_t>(number >> 8);
-}
-
 std::size_t bytesOf(unsigned bits) { return (bits + 7) / 8; }
 
 bool isColorDepth(unsigned bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
@@ -61,46 +55,39 @@ class TgaReader {
   /// All but the lengths of the ID and of the map, which `read` sees to.
   void takeHeader(const std::uint8_t* header) {
     const unsigned type = header[2], plainType = type & 7, descriptor = header[17];
-    if ((type & ~8u) != plainType || plainType < 1 || plainType > 3) {
-      reader_.fail("expected a TGA image type of 1, 2, 3, 9, 10 or 11, found ", type);
-    }
+    reader_.check((type & ~8u) == plainType && plainType >= 1 && plainType <= 3,
+                  "expected a TGA image type of 1, 2, 3, 9, 10 or 11, found ", type);
     kind_ = static_cast<PixelKind>(plainType);
     isPacked_ = (type & 8) != 0;
-    if (header[1] > 1) {
-      reader_.fail("expected a TGA colour map type of 0 or 1, found ", unsigned{header[1]});
-    }
+    reader_.check(header[1] <= 1, "expected a TGA colour map type of 0 or 1, found ",
+                  unsigned{header[1]});
     mapFirst_ = littleEndian16(header + 3);
     width_ = littleEndian16(header + 12);
     height_ = littleEndian16(header + 14);
     depth_ = header[16];
     isRightToLeft_ = (descriptor & 0x10) != 0;
     isTopToBottom_ = (descriptor & 0x20) != 0;
-    if (pixels() == 0) reader_.fail("expected a width and height of at least 1, found 0");
-    if ((descriptor & 0xC0) != 0) reader_.fail("interleaved TGA images are not supported");
+    reader_.check(pixels() > 0, "expected a width and height of at least 1, found 0");
+    reader_.check((descriptor & 0xC0) == 0, "interleaved TGA images are not supported");
     checkDepth(descriptor & 15);
-    if (kind_ == PixelKind::indices && header[1] == 0) {
-      reader_.fail("expected a colour map, found none");
-    }
+    reader_.check(kind_ != PixelKind::indices || header[1] == 1,
+                  "expected a colour map, found none");
   }
 
   void checkDepth(unsigned alphaBits) const {
-    if (kind_ == PixelKind::colors && !isColorDepth(depth_)) {
-      reader_.fail("expected 15, 16, 24 or 32 bits per pixel, found ", depth_);
-    }
-    if (kind_ == PixelKind::indices && depth_ != 8 && depth_ != 16) {
-      reader_.fail("expected 8 or 16 bits per colour index, found ", depth_);
-    }
-    if (kind_ == PixelKind::greys && depth_ != 8 && !(depth_ == 16 && alphaBits == 8)) {
-      reader_.fail("expected 8 bits per grey pixel, or 16 with 8 of alpha, found ", depth_);
-    }
+    reader_.check(kind_ != PixelKind::colors || isColorDepth(depth_),
+                  "expected 15, 16, 24 or 32 bits per pixel, found ", depth_);
+    reader_.check(kind_ != PixelKind::indices || depth_ == 8 || depth_ == 16,
+                  "expected 8 or 16 bits per colour index, found ", depth_);
+    reader_.check(kind_ != PixelKind::greys || depth_ == 8 || (depth_ == 16 && alphaBits == 8),
+                  "expected 8 bits per grey pixel, or 16 with 8 of alpha, found ", depth_);
   }
 
   /// Skips a map that the pixels do not use.
   void takeMap(unsigned length, unsigned depth) {
     const bool isUsed = kind_ == PixelKind::indices;
-    if (isUsed && !isColorDepth(depth)) {
-      reader_.fail("expected 15, 16, 24 or 32 bits per colour map entry, found ", depth);
-    }
+    reader_.check(!isUsed || isColorDepth(depth),
+                  "expected 15, 16, 24 or 32 bits per colour map entry, found ", depth);
     const std::uint8_t* entry = reader_.take(bytesOf(depth) * length, "colour map");
     for (unsigned i = 0; isUsed && i < length; ++i, entry += bytesOf(depth)) {
       map_.push_back(colorFrom(entry, depth));
@@ -118,10 +105,8 @@ class TgaReader {
   std::size_t takePacket(Image& image, std::size_t first) {
     const unsigned head = isPacked_ ? reader_.takeByte("packet header") : 0;
     const std::size_t count = (head & 127) + 1, most = pixels() - first;
-    if (count > most) {
-      reader_.fail("expected a packet of at most ", most, " pixels at byte ",
-                   reader_.position() - 1, ", found ", count);
-    }
+    reader_.check(count <= most, "expected a packet of at most ", most, " pixels at byte ",
+                  reader_.position() - 1, ", found ", count);
     Rgb8 pixel;
     for (std::size_t i = first; i < first + count; ++i) {
       if (i == first || (head & 128) == 0) pixel = takePixel();
@@ -137,10 +122,9 @@ class TgaReader {
     if (kind_ == PixelKind::colors) return colorFrom(bytes, depth_);
     if (kind_ == PixelKind::greys) return {bytes[0], bytes[0], bytes[0]};
     const unsigned index = depth_ == 8 ? bytes[0] : littleEndian16(bytes);
-    if (index - mapFirst_ < map_.size())
-      return map_[index - mapFirst_];  // below it wraps: too large
-    reader_.fail("expected a colour index of ", mapFirst_, " to below ", mapFirst_ + map_.size(),
-                 ", found ", index);
+    reader_.check(index - mapFirst_ < map_.size(), "expected a colour index of ", mapFirst_,
+                  " to below ", mapFirst_ + map_.size(), ", found ", index);  // one below it wraps
+    return map_[index - mapFirst_];
   }
 
   ByteReader reader_;
@@ -156,16 +140,13 @@ class TgaReader {
 void encodeTga(int width, int height, const std::function<const Bytes&(int y)>& row,
                const TgaPlace& place, const Sink& sink) {
   assert(width >= 1 && height >= 1 && place.id.size() <= 255);
-  Bytes header(kHeaderSize + place.id.size());
-  header[0] = static_cast<std::uint8_t>(place.id.size());
-  header[2] = 2;  // true colour, not compressed
-  setNumber(place.x, &header[8]);
-  setNumber(place.y, &header[10]);
-  setNumber(width, &header[12]);
-  setNumber(height, &header[14]);
-  header[16] = 24;
-  header[17] = 0x20;  // the top row comes first
-  std::copy(place.id.begin(), place.id.end(), header.begin() + kHeaderSize);
+  Bytes header = {static_cast<std::uint8_t>(place.id.size()), 0, 2, 0, 0, 0, 0, 0};
+  for (const int number : {place.x, place.y, width, height}) {
+    assert(number >= 0 && number <= 65535);
+    appendLittleEndian(static_cast<std::uint32_t>(number), 2, header);
+  }
+  header.insert(header.end(), {24, 0x20});  // bits of a pixel; the top row comes first
+  header.insert(header.end(), place.id.begin(), place.id.end());
   sink(header);
   for (int y = 0; y < height; ++y) sink(row(y));
 }

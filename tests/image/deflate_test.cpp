@@ -120,29 +120,31 @@ TEST("codes of one length are numbered in the order of their symbols, and turned
 
 TEST("lengths and distances fall into the ranges of RFC 1951, 3.2.5") {
   using namespace deflate;
-  for (unsigned length = kShortestCopy; length <= kLongestCopy; ++length) {
-    const Range range = lengthRange(lengthSymbol(length));
-    CHECK(range.base <= length && length < range.base + (1u << range.bits));
-  }
   std::size_t misfits = 0;
+  for (unsigned length = 3; length <= kLongestCopy; ++length) {
+    const Range range = kLengthRanges[indexOfRange(length, kLengthRanges)];
+    misfits += length < range.base || length >= range.base + (1u << range.bits);
+  }
   for (unsigned distance = 1; distance <= kWindow; ++distance) {
-    const Range range = distanceRange(distanceSymbol(distance));
+    const Range range = kDistanceRanges[indexOfRange(distance, kDistanceRanges)];
     misfits += distance < range.base || distance >= range.base + (1u << range.bits);
   }
   CHECK_EQUAL(misfits, 0u);
-  // Some of the tables' entries: symbol, first length or distance, further bits.
+  // Some of the RFC's entries: symbol, first length or distance, further bits.
   const unsigned lengths[][3] = {{257, 3, 0},   {264, 10, 0},  {265, 11, 1},
                                  {268, 17, 1},  {269, 19, 2},  {277, 67, 4},
                                  {281, 131, 5}, {284, 227, 5}, {285, 258, 0}};
   for (const auto& row : lengths) {
-    CHECK(lengthRange(row[0]).base == row[1] && lengthRange(row[0]).bits == row[2]);
-    CHECK_EQUAL(lengthSymbol(row[1]), row[0]);
+    const Range range = kLengthRanges[row[0] - 257];
+    CHECK(range.base == row[1] && range.bits == row[2]);
+    CHECK_EQUAL(indexOfRange(row[1], kLengthRanges), row[0] - 257);
   }
   const unsigned distances[][3] = {{0, 1, 0},    {3, 4, 0},      {4, 5, 1},       {7, 13, 2},
                                    {16, 257, 7}, {23, 3073, 10}, {28, 16385, 13}, {29, 24577, 13}};
   for (const auto& row : distances) {
-    CHECK(distanceRange(row[0]).base == row[1] && distanceRange(row[0]).bits == row[2]);
-    CHECK_EQUAL(distanceSymbol(row[1]), row[0]);
+    const Range range = kDistanceRanges[row[0]];
+    CHECK(range.base == row[1] && range.bits == row[2]);
+    CHECK_EQUAL(indexOfRange(row[1], kDistanceRanges), row[0]);
   }
 }
 
