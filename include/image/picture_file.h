@@ -31,7 +31,7 @@ void writePicture(const Image& image, const std::string& path, int threads = 1,
 void writePicture(const FloatImage& image, const std::string& path);
 /// Writes a TGA from rows of BGR bytes: row(y) is asked once for each y, from the top one, 0, on.
 /// Nothing but the row at hand is kept. Throws OutputError and what row(y) throws.
-void writeTgaRows(int width, int height, const std::function<const Bytes&(int y)>& row,
+void writeTgaRows(int width, int height, const std::function<Bytes(int y)>& row,
                   const std::string& path);
 
 /// The file that writePicture would write by one thread. A TGA's sides are at most 65535 pixels.
@@ -49,8 +49,8 @@ using Sink = std::function<void(const Bytes& piece)>;
 /// 18 header bytes, all 0 but type 2, width and height (little-endian), 24 bits and descriptor
 /// 0x20, then BGR bytes, top row first; no ID, no footer. Sides are 1..65535 pixels. A part has its
 /// place in the origin fields besides, and its ID. The rows are those of writeTgaRows.
-void encodeTga(int width, int height, const std::function<const Bytes&(int y)>& row,
-               const TgaPlace& place, const Sink& sink);
+void encodeTga(int width, int height, const std::function<Bytes(int y)>& row, const TgaPlace& place,
+               const Sink& sink);
 
 /// Reads types 1, 2, 3, 9, 10 and 11 (colour map, true colour, grey; the latter three run-length
 /// encoded), the first pixel in any corner.

@@ -23,6 +23,7 @@ using Lengths = std::vector<std::uint8_t>;
 using Counts = std::vector<std::uint32_t>;
 using Code = std::vector<Bits>;
 
+/// Each has a code of its own in a block.
 enum Alphabet { kLiterals, kDistances, kCodeLengths };
 
 struct Symbol {
@@ -66,6 +67,7 @@ std::vector<Symbol> symbolsOf(const Lengths& lengths) {
       symbols.push_back({kCodeLengths, length, {0, 0}});
       --run;
     }
+    // Fewer than three are no shorter in a run: they follow one by one.
     while (run >= 3) {
       const unsigned number = length != 0 ? 16 : run <= 10 ? 17 : 18;
       const Range repeats = kRepeatRanges[number - 16];
@@ -147,6 +149,7 @@ Lengths depthsInTree(const Counts& weights) {
     if (weights[i] > 0) trees.push({weights[i], i});
   }
   std::vector<std::size_t> parents(weights.size());  // 0: none, for no symbol is a parent
+  // Each joint takes the two lightest trees; the last one is put back nowhere.
   while (!trees.empty()) {
     std::uint64_t weight = 0;
     for (int child = 0; child < 2 && !trees.empty(); ++child, trees.pop()) {
@@ -231,6 +234,7 @@ void BlockWriter::writeStored(const std::uint8_t* bytes, std::size_t size, bool 
 void BlockWriter::write(const std::vector<Token>& tokens, const std::uint8_t* bytes,
                         std::size_t size, bool isLast) {
   const std::vector<Symbol> symbols = symbolsOf(tokens);
+  // What each kind would take is known before a bit is written.
   const Codes own = ownCodes(symbols);
   const Codes fixed = {{codeOf(fixedLiteralLengths()), codeOf(fixedDistanceLengths())}, {}};
   const std::uint64_t ownBits = own.countOf(symbols), fixedBits = fixed.countOf(symbols);

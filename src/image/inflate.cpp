@@ -9,6 +9,7 @@
 namespace {
 
 using deflate::kEndOfBlock;
+using Lengths = std::vector<std::uint8_t>;  // of the codes of an alphabet, by symbol
 
 /// Throws InflateError where the claim does not hold.
 void check(bool claim, const char* otherwise) {
@@ -56,13 +57,15 @@ class Decoder {
  public:
   /// lengths[symbol] is 1 to 15 bits, or 0 for a symbol that does not occur. A code must be
   /// complete, except that it may have no symbol, or a single one of 1 bit.
-  explicit Decoder(const std::vector<std::uint8_t>& lengths)
+  explicit Decoder(const Lengths& lengths)
       : longest_(*std::max_element(lengths.begin(), lengths.end())), table_(1u << longest_) {
+    // Kraft's sum, counted in places: a code is complete where it takes up all of the table.
     const std::vector<deflate::Bits> code = deflate::codeOf(lengths);
     std::size_t taken = 0;  // places of the table; a code of n bits has one in 2^n of them
     for (const deflate::Bits bits : code) taken += bits.count > 0 ? table_.size() >> bits.count : 0;
     check(taken <= table_.size(), "more codes than their lengths allow");
     check(taken == table_.size() || longest_ <= 1, "fewer codes than their lengths need");
+    // The first bit of a code is the lowest one of a place, so that its places are 2^n apart.
     for (std::size_t symbol = 0; symbol < code.size(); ++symbol) {
       if (code[symbol].count == 0) continue;
       for (unsigned at = code[symbol].value; at < table_.size(); at += 1u << code[symbol].count) {
@@ -71,6 +74,7 @@ class Decoder {
     }
   }
 
+  /// The next symbol. At the end of the input zeros are looked up, but cannot be dropped.
   unsigned take(BitReader& bits) const {
     const Entry entry = table_[bits.peek(longest_)];
     check(entry.length > 0, "a code that stands for nothing");
@@ -88,6 +92,7 @@ class Decoder {
   std::vector<Entry> table_;
 };
 
+/// One stream: its bits, and what they have given so far, in which copies look back.
 class Inflater {
  public:
   Inflater(const Bytes& input, std::size_t position, std::size_t most)
@@ -99,10 +104,7 @@ class Inflater {
       const unsigned type = bits_.take(2);
       check(type < 3, "a block of the reserved type 3");
       if (type == 0) copyStored();
-      if (type == 1) {
-        decodeBlock(Decoder(deflate::fixedLiteralLengths()),
-                    Decoder(deflate::fixedDistanceLengths()));
-      }
+      if (type == 1) decodeBlock(deflate::fixedLiteralLengths(), deflate::fixedDistanceLengths());
       if (type == 2) decodeDynamic();
     }
     return std::move(output_);
@@ -110,12 +112,14 @@ class Inflater {
   std::size_t position() const { return bits_.position(); }
 
  private:
+  /// Before anything is put out: memory must not grow with what a hostile stream promises.
   void checkRoom(std::size_t count) const {
     if (count > most_ - output_.size()) {
       throw InflateError("more than the expected " + std::to_string(most_) + " bytes");
     }
   }
 
+  /// RFC 1951, 3.2.4: from the next whole byte on the size, its complement, and the bytes.
   void copyStored() {
     bits_.dropRestOfByte();
     const unsigned size = bits_.take(16);
@@ -124,24 +128,27 @@ class Inflater {
     for (unsigned i = 0; i < size; ++i) output_.push_back(std::uint8_t(bits_.take(8)));
   }
 
-  void decodeDynamic() {  // RFC 1951, 3.2.7
+  /// RFC 1951, 3.2.7: the lengths of both codes come first, as one list, then what they say.
+  void decodeDynamic() {
     const unsigned literals = bits_.take(5) + 257, distances = bits_.take(5) + 1;
     check(literals <= deflate::kLiteralSymbols && distances <= deflate::kDistanceSymbols,
           "more symbols than there are");
-    const std::vector<std::uint8_t> lengths = readCodeLengths(literals + distances);
+    const Lengths lengths = readCodeLengths(literals + distances);
     check(lengths[kEndOfBlock] > 0, "a block that cannot end");
     const auto middle = lengths.begin() + literals;
-    decodeBlock(Decoder({lengths.begin(), middle}), Decoder({middle, lengths.end()}));
+    decodeBlock({lengths.begin(), middle}, {middle, lengths.end()});
   }
 
-  std::vector<std::uint8_t> readCodeLengths(std::size_t count) {
-    std::vector<std::uint8_t> codeLengths(deflate::kLengthCodeSymbols);
+  /// That list of `count` lengths. It is in a code of its own, whose lengths, 3 bits each, come
+  /// before it in an order that lets the rare ones at the end be left out.
+  Lengths readCodeLengths(std::size_t count) {
+    Lengths codeLengths(deflate::kLengthCodeSymbols);
     const unsigned stored = bits_.take(4) + 4;
     for (unsigned i = 0; i < stored; ++i) {
       codeLengths[deflate::kLengthCodeOrder[i]] = static_cast<std::uint8_t>(bits_.take(3));
     }
     const Decoder code(codeLengths);
-    std::vector<std::uint8_t> lengths;
+    Lengths lengths;
     while (lengths.size() < count) {
       const unsigned symbol = code.take(bits_);
       check(symbol != 16 || !lengths.empty(), "a code length that repeats nothing");
@@ -153,19 +160,21 @@ class Inflater {
     return lengths;
   }
 
-  void decodeBlock(const Decoder& literals, const Decoder& distances) {
-    for (;;) {
-      const unsigned symbol = literals.take(bits_);
-      if (symbol == kEndOfBlock) return;
-      if (symbol < kEndOfBlock) {
-        checkRoom(1);
-        output_.push_back(static_cast<std::uint8_t>(symbol));
-      } else {
+  /// Symbols up to the end of the block: a literal is put out, a length begins a copy.
+  void decodeBlock(const Lengths& literalLengths, const Lengths& distanceLengths) {
+    const Decoder distances(distanceLengths), literals(literalLengths);
+    unsigned symbol = 0;
+    while ((symbol = literals.take(bits_)) != kEndOfBlock) {
+      if (symbol > kEndOfBlock) {
         copy(symbol, distances);
+        continue;
       }
+      checkRoom(1);
+      output_.push_back(static_cast<std::uint8_t>(symbol));
     }
   }
 
+  /// Behind the length come its further bits, then the distance in its own code, and its bits.
   void copy(unsigned symbol, const Decoder& distances) {
     const std::size_t length = takeFrom(deflate::kLengthRanges, symbol - kEndOfBlock - 1);
     const std::size_t distance = takeFrom(deflate::kDistanceRanges, distances.take(bits_));

@@ -15,12 +15,14 @@ constexpr unsigned kMostSide = 0x7FFFFFFF, kMostSample = 65535;
 bool isSpace(unsigned c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool isDigit(unsigned c) { return c >= '0' && c <= '9'; }
 
+/// Of a file that is written: each word of it in a line of its own, but for the sides.
 Bytes headOf(const std::string& kind, int width, int height, const std::string& range) {
   const std::string head =
       kind + "\n" + std::to_string(width) + " " + std::to_string(height) + "\n" + range + "\n";
   return {head.begin(), head.end()};
 }
 
+/// Takes the head, which says how samples are stored; then each sample by the same function.
 class NetpbmReader {
  public:
   NetpbmReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
@@ -41,6 +43,7 @@ class NetpbmReader {
     }
     reader_.check(isSpace(reader_.takeByte("end of the head")),
                   "expected a line break behind the head");
+    // Whether the file can hold the samples is known before memory is asked for the picture.
     // A number takes at least a digit and a blank, but for the last one.
     const std::size_t size = isText_ ? 2 : isFloat_ ? 4 : maximum_ > 255 ? 2 : 1;
     const std::size_t room = reader_.remaining() + (isText_ ? 1 : 0);
@@ -112,6 +115,7 @@ class NetpbmReader {
     return static_cast<std::uint8_t>((value * 255 + maximum_ / 2) / maximum_);
   }
 
+  /// Of either byte order, on a machine of either.
   float takeFloat() {
     const std::uint8_t* const b = reader_.take(4, "sample");
     const std::uint8_t turned[4] = {b[3], b[2], b[1], b[0]};
@@ -128,6 +132,7 @@ class NetpbmReader {
 
 }  // namespace
 
+/// The rows of an image are those of the file, in the other order.
 void encodePpm(const Image& image, const Sink& sink) {
   sink(headOf("P6", image.Width(), image.Height(), "255"));
   for (int y = image.Height() - 1; y >= 0; --y) {
@@ -145,6 +150,7 @@ void encodePfm(int width, int height, const std::function<Vec3f(int x, int y)>& 
     for (int x = 0; x < width; ++x) {
       const Vec3f color = colorOf(x, y);
       for (const float component : {color.r(), color.g(), color.b()}) {
+        // Byte by byte, as the file has the low one first on every machine.
         std::uint32_t bits = 0;
         std::memcpy(&bits, &component, sizeof bits);
         appendLittleEndian(bits, 4, row);
@@ -154,6 +160,7 @@ void encodePfm(int width, int height, const std::function<Vec3f(int x, int y)>& 
   }
 }
 
+/// No TGA begins so: its second byte is 0 or 1.
 bool isNetpbm(const Bytes& bytes) {
   if (bytes.size() < 3 || bytes[0] != 'P') return false;
   const bool isKind = (bytes[1] >= '1' && bytes[1] <= '7') || bytes[1] == 'F' || bytes[1] == 'f';

@@ -29,6 +29,7 @@ constexpr int kMostLinks = 40;             // as Linux itself counts before it s
 constexpr int kMostAttempts = 100;         // to find a temporary name that is free
 constexpr std::size_t kLongestName = 255;  // of one part of a path, on every common file system
 
+/// In which the file stands, also where the path does not name it.
 fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -56,7 +57,7 @@ bool isNumber(const std::string& name) {
 
 /// Follows the links of the last part by hand, because the file at their end may not exist yet.
 /// Stops at /proc, whose links name things that may have no path: a pipe, a deleted file.
-Place findPlace(const std::string& given) {
+Place followLinks(const std::string& given) {
   Place place;
   place.path = given == "-" ? "/dev/fd/" + std::to_string(STDOUT_FILENO) : given;
   for (int links = 0; links <= kMostLinks; ++links) {
@@ -82,27 +83,30 @@ Place findPlace(const std::string& given) {
   throw OutputError(given, std::strerror(ELOOP));
 }
 
-/// 0, or the errno of why the process may not use the path so.
-int errorOfAccess(const fs::path& path, int mode) {
-  return faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0 ? 0 : errno;
+bool isAllowed(const fs::path& path, int mode) {
+  return faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0;
 }
 
-/// 0, or the errno of what keeps the process from writing there.
-int findObstacle(const Place& place) {
+/// Where an output goes. Throws OutputError where something keeps the process from writing there.
+Place findPlace(const std::string& given) {
+  const Place place = followLinks(given);
+  const auto demand = [&given](bool claim, int otherwise = 0) {  // 0: errno says why
+    if (!claim) throw OutputError(given, std::strerror(otherwise != 0 ? otherwise : errno));
+  };
   if (place.descriptor >= 0) {
     const int flags = fcntl(place.descriptor, F_GETFL);
-    if (flags < 0) return errno;
-    return (flags & O_ACCMODE) == O_RDONLY ? EBADF : 0;
+    demand(flags >= 0);
+    demand((flags & O_ACCMODE) != O_RDONLY, EBADF);
+    return place;
   }
-  if (place.path.empty()) return ENOENT;
-  if (!place.path.has_filename()) return EISDIR;
-  if (place.error != 0) return place.error;
-  if (place.exists) {
-    if (S_ISDIR(place.status.st_mode)) return EISDIR;
-    if (const int error = errorOfAccess(place.path, W_OK)) return error;
-  }
-  if (place.isInPlace) return place.exists ? 0 : ENOENT;
-  return errorOfAccess(folderOf(place.path), W_OK | X_OK);
+  demand(!place.path.empty(), ENOENT);
+  demand(place.path.has_filename(), EISDIR);
+  demand(place.error == 0, place.error);
+  demand(!S_ISDIR(place.status.st_mode), EISDIR);
+  demand(!place.exists || isAllowed(place.path, W_OK));
+  demand(place.exists || !place.isInPlace, ENOENT);
+  demand(place.isInPlace || isAllowed(folderOf(place.path), W_OK | X_OK));
+  return place;
 }
 
 /// NAME.tmp.PID, NAME cut where the whole would be too long for a file system; from the second
@@ -155,7 +159,7 @@ std::string outputTitle(const std::string& path) { return path == "-" ? "standar
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   const Place place = findPlace(path);
-  if (const int error = findObstacle(place)) fail(error);
+  // A device, a FIFO, a descriptor: there is no old content to keep.
   if (place.isInPlace) {
     descriptor_ = openInPlace(place);
     if (descriptor_ < 0) fail(errno);
@@ -187,6 +191,7 @@ void OutputFile::discard() {
 }
 
 void OutputFile::write(const void* data, std::size_t size) {
+  // A call may write less than it is given: the rest is tried again, until an error says why.
   const char* next = static_cast<const char*>(data);
   for (const char* const end = next + size; next < end;) {
     const ssize_t written =
@@ -217,8 +222,4 @@ void writeFile(const std::string& path, const void* data, std::size_t size) {
   file.commit();
 }
 
-void checkOutput(const std::string& path) {
-  if (const int error = findObstacle(findPlace(path))) {
-    throw OutputError(path, std::strerror(error));
-  }
-}
+void checkOutput(const std::string& path) { findPlace(path); }

@@ -72,6 +72,7 @@ extern "C" void removeAndCrash(int signal) {
   raise(signal);
 }
 
+/// While the handler runs, it is the only one in its thread.
 void install(int signal, void (*handler)(int), int flags) {
   struct sigaction before = {}, action = {};
   sigaction(signal, nullptr, &before);
@@ -84,6 +85,7 @@ void install(int signal, void (*handler)(int), int flags) {
 
 }  // namespace
 
+/// O_EXCL: a file of that name is another run's, or left by one that was killed.
 void OutputFile::createTemporary(unsigned permissions) {
   const Undisturbed whileNoting;
   Name* const free = std::find(std::begin(temporaries), std::end(temporaries), nullptr);

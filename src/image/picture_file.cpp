@@ -11,24 +11,25 @@
 
 namespace {
 
+/// Of a TGA, the y-th from the top: blue comes first.
+Bytes bgrRow(const Image& image, int y) {
+  const std::uint8_t* const rgb = image.rowBytes(image.Height() - 1 - y);
+  Bytes row(rgb, rgb + 3 * std::size_t(image.Width()));
+  for (std::size_t i = 0; i < row.size(); i += 3) std::swap(row[i], row[i + 2]);
+  return row;
+}
+
+/// Of a PFM.
 Vec3f colorOf(Rgb8 pixel) { return Vec3f(pixel.r / 255.0f, pixel.g / 255.0f, pixel.b / 255.0f); }
 
+/// The one place that knows all formats of an image.
 void encode(const Image& image, PictureFormat format, int threads, const TgaPlace& place,
             const Sink& sink) {
   const int width = image.Width(), height = image.Height();
   switch (format) {
-    case PictureFormat::tga: {
-      Bytes row;
+    case PictureFormat::tga:
       return encodeTga(
-          width, height,
-          [&](int y) -> const Bytes& {
-            const std::uint8_t* const rgb = image.rowBytes(height - 1 - y);
-            row.assign(rgb, rgb + 3 * std::size_t(width));
-            for (std::size_t i = 0; i < row.size(); i += 3) std::swap(row[i], row[i + 2]);
-            return row;
-          },
-          place, sink);
-    }
+          width, height, [&image](int y) { return bgrRow(image, y); }, place, sink);
     case PictureFormat::png:
       return encodePng(image, sink, threads);
     case PictureFormat::ppm:
@@ -60,6 +61,7 @@ void write(const std::string& path, const EncodeTo& encodeTo) {
 PictureFormat formatOf(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
   std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
+  // Of ASCII alone, whatever the locale says of capitals.
   for (char& c : ending) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
@@ -71,6 +73,7 @@ PictureFormat formatOf(const std::string& path) {
 
 void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place) {
   const PictureFormat format = formatOf(path);
+  // TGA has 16 bits for each side. Told before the file is opened, which stays as it is.
   if (format == PictureFormat::tga && std::max(image.Width(), image.Height()) > 65535) {
     throw OutputError(path, "a TGA image is at most 65535 pixels wide and high, this one is " +
                                 std::to_string(image.Width()) + " x " +
@@ -84,7 +87,7 @@ void writePicture(const FloatImage& image, const std::string& path) {
   write(path, [&](const Sink& sink) { encodePfm(image.Width(), image.Height(), colorAt, sink); });
 }
 
-void writeTgaRows(int width, int height, const std::function<const Bytes&(int y)>& row,
+void writeTgaRows(int width, int height, const std::function<Bytes(int y)>& row,
                   const std::string& path) {
   write(path, [&](const Sink& sink) { encodeTga(width, height, row, {}, sink); });
 }
@@ -98,6 +101,7 @@ Bytes encodePicture(const Image& image, PictureFormat format, const TgaPlace& pl
 
 Image readImage(const std::string& path) {
   const Bytes bytes = readBytes(path);
+  // By content alone: a name may say anything, and a TGA begins with any bytes.
   if (isPng(bytes)) return decodePng(bytes, path);
   if (isNetpbm(bytes)) return decodeNetpbm(bytes, path);
   return decodeTga(bytes, path);

@@ -17,12 +17,14 @@ namespace {
 
 constexpr std::uint32_t kLongestField = 0x7FFFFFFF;  // lengths and sides stay below 2^31
 
+/// A view of the file's bytes.
 struct Chunk {
   std::string type;  // four letters
   const std::uint8_t* data = nullptr;
   std::size_t size = 0;
 };
 
+/// Length, type, data, and the checksum of type and data (RFC 2083, 3.2).
 Chunk takeChunk(ByteReader& reader) {
   const std::uint32_t size = bigEndian32(reader.take(4, "chunk length"));
   reader.check(size <= kLongestField, "expected a chunk length below 2^31");
@@ -39,6 +41,7 @@ Chunk takeChunk(ByteReader& reader) {
   return chunk;
 }
 
+/// Gathers what the chunks say: the head, a palette, compressed data. At IEND the picture is made.
 class PngReader {
  public:
   PngReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
@@ -56,6 +59,7 @@ class PngReader {
     Bytes rows = inflateRows();
     Image image(static_cast<int>(width_), static_cast<int>(height_));
     for (std::size_t row = 0; row < height_; ++row) {
+      // In place: the row above, whose filter is undone, is still there for this one.
       std::uint8_t* const samples = &rows[row * stride()];
       undoFilter(samples, row > 0);
       for (int x = 0; x < image.Width(); ++x) {
@@ -66,6 +70,7 @@ class PngReader {
   }
 
  private:
+  /// IHDR (4.1.1). What is allowed but not supported has a message of its own.
   void readHeader(const Chunk& chunk) {
     reader_.check(chunk.type == "IHDR" && chunk.size == 13,
                   "expected an IHDR chunk of 13 bytes first, found ", chunk.type, " of ",
@@ -105,6 +110,7 @@ class PngReader {
     }
   }
 
+  /// PLTE (4.1.2). In an RGB picture it is a mere suggestion, but has to be a sound one.
   void readPalette(const Chunk& chunk) {
     reader_.check(!hasData_ && !hasTransparency_ && palette_.empty(),
                   "expected one PLTE chunk, before tRNS and IDAT");
@@ -134,6 +140,7 @@ class PngReader {
   /// All rows, each behind its filter.
   Bytes inflateRows() const {
     const std::uint64_t size = height_ * stride(), pixels = std::uint64_t{width_} * height_;
+    // Deflate makes at most kMostExpansion bytes of one: too little data is told before inflating.
     const bool isPossible = size / kMostExpansion <= data_.size();
     reader_.checkSize(width_, height_, isPossible ? pixels : 0, data_.size(), " compressed");
     Bytes rows;

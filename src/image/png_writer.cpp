@@ -84,6 +84,7 @@ std::vector<Rgb8> paletteOf(const Image& image) {
   return 3 * colors.size() + 12 < saved ? colors : std::vector<Rgb8>();
 }
 
+/// Signature, head, palette, the pieces in groups that threads work on, end.
 class PngWriter {
  public:
   PngWriter(const Image& image, int threads, const Sink& sink)
@@ -126,6 +127,8 @@ class PngWriter {
     if (!palette_.empty()) sink_(chunk("PLTE", colors));
   }
 
+  /// What one thread does: the rows of a piece and those before it that fill deflate's window are
+  /// filtered, and its own ones compressed. zlib's two ends belong to the first and last piece.
   Piece pieceAt(std::size_t index) const {
     const std::size_t top = index * rowsOfPiece_;
     const std::size_t bottom = std::min(top + rowsOfPiece_, std::size_t(image_.Height()));

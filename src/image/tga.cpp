@@ -34,6 +34,7 @@ Rgb8 colorFrom(const std::uint8_t* bytes, unsigned depth) {
   return {byteFrom5Bits(bits >> 10), byteFrom5Bits(bits >> 5), byteFrom5Bits(bits)};
 }
 
+/// Takes header and colour map, then packet after packet. Pixels are numbered as the file has them.
 class TgaReader {
  public:
   TgaReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
@@ -117,13 +118,14 @@ class TgaReader {
     return count;
   }
 
+  /// An index counts from the map's first entry on; one below that wraps round to a huge number.
   Rgb8 takePixel() {
     const std::uint8_t* const bytes = reader_.take(bytesOf(depth_), "pixel");
     if (kind_ == PixelKind::colors) return colorFrom(bytes, depth_);
     if (kind_ == PixelKind::greys) return {bytes[0], bytes[0], bytes[0]};
     const unsigned index = depth_ == 8 ? bytes[0] : littleEndian16(bytes);
     reader_.check(index - mapFirst_ < map_.size(), "expected a colour index of ", mapFirst_,
-                  " to below ", mapFirst_ + map_.size(), ", found ", index);  // one below it wraps
+                  " to below ", mapFirst_ + map_.size(), ", found ", index);
     return map_[index - mapFirst_];
   }
 
@@ -137,8 +139,8 @@ class TgaReader {
 
 }  // namespace
 
-void encodeTga(int width, int height, const std::function<const Bytes&(int y)>& row,
-               const TgaPlace& place, const Sink& sink) {
+void encodeTga(int width, int height, const std::function<Bytes(int y)>& row, const TgaPlace& place,
+               const Sink& sink) {
   assert(width >= 1 && height >= 1 && place.id.size() <= 255);
   Bytes header = {static_cast<std::uint8_t>(place.id.size()), 0, 2, 0, 0, 0, 0, 0};
   for (const int number : {place.x, place.y, width, height}) {
