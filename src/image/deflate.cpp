@@ -112,11 +112,12 @@ Bytes deflatePiece(const Bytes& bytes, std::size_t from, std::size_t to, bool is
   deflate::HashChains chains(first, end);
   for (std::size_t place = 0; place < window; ++place) chains.add(place);
   deflate::BlockWriter writer;
-  for (std::size_t at = window; at < end;) {
+  std::size_t at = window;
+  do {  // of no bytes there is a block too
     const std::size_t begin = at;
     const std::vector<deflate::Token> tokens = deflate::takeTokens(first, at, end, chains);
     writer.write(tokens, first + begin, at - begin, isLast && at == end);
-  }
+  } while (at < end);
   // An empty stored block fills the last byte (as pigz does: Adler, 2007).
   if (!isLast) writer.writeStored(nullptr, 0, false);
   return writer.take();

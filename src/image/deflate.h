@@ -136,8 +136,8 @@ class BlockWriter {
 
 }  // namespace deflate
 
-/// A piece of a deflate stream that stands for bytes[from..to), of at least one byte, and begins
-/// and ends with whole bytes. Its copies reach back to the bytes before `from`, which earlier
+/// A piece of a deflate stream that stands for bytes[from..to), or for none, and begins and ends
+/// with whole bytes. Its copies reach back to the bytes before `from`, which earlier
 /// pieces of the stream stand for: 32768 of them, or as many as there are.
 Bytes deflatePiece(const Bytes& bytes, std::size_t from, std::size_t to, bool isLast);
 
