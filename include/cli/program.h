@@ -1,6 +1,7 @@
 // The program: what it does with a command line, what it says, and the status that it ends with.
 #pragma once
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,6 +20,14 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Throws UsageError with all the `pieces` in a row.
+template <class... Pieces>
+[[noreturn]] void failUsage(const Pieces&... pieces) {
+  std::ostringstream message;
+  (message << ... << pieces);
+  throw UsageError(message.str());
+}
 
 /// Does what the command line `words`, without the program's own name, asks for and returns the
 /// exit status. Mistakes that end the run at once are thrown: UsageError, InputError, or any other

@@ -1,8 +1,16 @@
-// What each argument does to a request. Most set one member of one piece of it.
+// What each argument does to a request: a function for each row of the table at the end, in the
+// order of the list that -help prints.
+//
+// Most arguments set one member of one piece of the request. They share a few functions that are
+// told which member that is, so that their rows say all: set, setInteger, setFile, setChoice. Where
+// several arguments speak of the same thing (patterns of samples, filters, -shadows and
+// -no_shadows), the last one given wins, as it does among equal ones. What several arguments must
+// fulfil together is no matter of theirs, but of request.cpp.
 #include <algorithm>
 #include <cassert>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 
 #include "cli/arguments.h"
 #include "scene/number_reader.h"
@@ -15,7 +23,6 @@ using Kind = OutputRequest::Kind;
 using Pattern = SamplingOptions::Pattern;
 using FilterKind = SamplingOptions::FilterKind;
 using CellPicture = Acceleration::CellPicture;
-using Progress = RunRequest::Progress;
 
 /// This member of the piece of the request that has it.
 template <class Piece, class Value>
@@ -26,19 +33,30 @@ Value& memberOf(Request& request, Value Piece::*member) {
   return std::get<Piece&>(pieces).*member;
 }
 
+/// An argument without words.
 template <auto member, auto value = true>
 void set(Words, Draft& draft) {
   memberOf(draft, member) = value;
 }
 
+/// One whole number, from `least` to `most`.
 template <auto member, int least, int most>
 void setInteger(Words words, Draft& draft) {
   memberOf(draft, member) = words.integer(0, least, most);
 }
 
+/// One file, "-" being standard input or output.
 template <auto member>
 void setFile(Words words, Draft& draft) {
   memberOf(draft, member) = words.file(0);
+}
+
+/// One of the choices of the row, which stand in the order of the member's values. Names of
+/// instruction sets are so alike that none is proposed for another.
+template <auto member, bool proposes = true>
+void setChoice(Words words, Draft& draft) {
+  auto& value = memberOf(draft, member);
+  value = std::decay_t<decltype(value)>(words.choice(proposes));
 }
 
 /// Enters the output in place of one of the same kind, or where its kind stands in the order.
@@ -51,11 +69,13 @@ void want(Draft& draft, const OutputRequest& output) {
   outputs.insert(outputs.erase(first, last), output);
 }
 
+/// A picture as large as the one that is rendered, or the file of a pixel's rays.
 template <Kind kind>
 void wantPicture(Words words, Draft& draft) {
   want(draft, {kind, words.file(0)});
 }
 
+/// Whether the enlarged picture is too large shows when the size is known.
 template <Kind kind>
 void wantEnlarged(Words words, Draft& draft) {
   const int zoom = words.integer(1, 1, kMaxImageSide);
@@ -89,6 +109,7 @@ void setWeight(Words words, Draft& draft) {
   if (!readFloat(words[0], weight) || weight < 0) failAtLeastZero(words, "");
 }
 
+/// Without -epsilon its kind stays automatic.
 void setEpsilon(Words words, Draft& draft) {
   Epsilon& epsilon = draft.render.picture.render.epsilon;
   epsilon = {Epsilon::Kind::fixed, Epsilon::kCourse};
@@ -107,6 +128,7 @@ void setPattern(Words words, Draft& draft) {
   sampling.pattern = pattern;
 }
 
+/// MIN MAX TOLERANCE: MAX is at least MIN.
 void setAdaptive(Words words, Draft& draft) {
   SamplingOptions& sampling = draft.render.picture.render.sampling;
   sampling.samples = words.integer(0, 1, SamplingOptions::kMaxFirstSamples);
@@ -126,35 +148,33 @@ void setFilter(Words words, Draft& draft) {
   sampling.filter = filter;
 }
 
+/// Whether the region lies in the picture shows when the size is known.
 void setRegion(Words words, Draft& draft) {
   constexpr int kMost = kMaxImageSide;
   draft.region = {words.integer(0, 0, kMost - 1), words.integer(1, 0, kMost - 1),
                   words.integer(2, 1, kMost), words.integer(3, 1, kMost)};
 }
 
+/// I N, where I counts from 1.
 void setBand(Words words, Draft& draft) {
   const int count = words.integer(1, 1, kMaxImageSide);
   draft.band = {words.integer(0, 1, count), count};
 }
 
+/// The whole picture, then its parts; all are files.
 void setMerge(Words words, Draft& draft) {
   for (std::size_t i = 0; i < words.all().size(); ++i) words.file(i);
   draft.merge.output = words[0];
   draft.merge.parts.assign(words.all().begin() + 1, words.all().end());
 }
 
+/// A checkpoint is read again, which standard output cannot be.
 void setCheckpoint(Words words, Draft& draft) {
   if (words[0] == "-") words.fail(0, "the name of a file");
   draft.run.checkpoint = words.file(0);
 }
 
-void setAccelerator(Words words, Draft& draft) {
-  constexpr std::string_view kNames[] = {"fast", "tree"};
-  if (!WordList(kNames).contains(words[0])) words.failChoice(0, kNames);
-  draft.render.picture.acceleration.kind =
-      words[0] == "fast" ? Acceleration::Kind::fast : Acceleration::Kind::tree;
-}
-
+/// Each side has its limit, and all cells together, for which memory is asked.
 void setGrid(Words words, Draft& draft) {
   Acceleration& acceleration = draft.render.picture.acceleration;
   int cells = 1;  // stays below 2^30
@@ -168,15 +188,7 @@ void setGrid(Words words, Draft& draft) {
   acceleration.kind = Acceleration::Kind::grid;
 }
 
-void setSimd(Words words, Draft& draft) {
-  constexpr SimdLevel kLevels[] = {SimdLevel::automatic, SimdLevel::baseline, SimdLevel::avx2,
-                                   SimdLevel::avx512};
-  const auto isMeant = [&](SimdLevel level) { return words[0] == nameOf(level); };
-  const auto level = std::find_if(std::begin(kLevels), std::end(kLevels), isMeant);
-  if (level == std::end(kLevels)) words.fail(0, "auto, baseline, avx2 or avx512");
-  draft.render.picture.acceleration.simd = *level;
-}
-
+/// Both may be files or folders; what they are is found out by the comparison.
 void setCompare(Words words, Draft& draft) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (words[i].empty()) words.fail(i, "a file or folder");
@@ -194,9 +206,10 @@ void setPixel(Words words, Draft& draft) {
                                 words.integer(1, 0, kMaxImageSide - 1)};
 }
 
+/// A -progress that comes later insists.
 void setQuiet(Words, Draft& draft) {
   draft.run.quiet = true;
-  draft.run.progress = Progress::off;
+  draft.run.progress = false;
 }
 
 /// Of several texts the first in the order of ProgramText counts.
@@ -207,14 +220,17 @@ void wantText(Words, Draft& draft) {
 
 void wantHelp(Words words, Draft& draft) {
   wantText<ProgramText::help>(words, draft);
-  if (words.all().empty()) return;
-  draft.topic = findTopic(words[0]);
-  if (draft.topic) return;
-  std::vector<std::string_view> names;
-  for (const HelpTopic& topic : helpTopics()) names.push_back(topic.name);
-  words.failChoice(0, WordList(names.data(), names.size()));
+  if (!words.all().empty()) draft.topic = &helpTopics()[words.choice()];
 }
 
+// What may follow an argument as its first word. Besides a name -epsilon takes a number.
+constexpr std::string_view kEpsilons[] = {"course", "adaptive"};
+constexpr std::string_view kAccelerators[] = {"fast", "tree"};
+constexpr std::string_view kLevels[] = {"auto", "baseline", "avx2", "avx512"};
+constexpr std::string_view kTopics[] = {"scene", "materials", "samples",    "output",  "inside",
+                                        "grid",  "parts",     "checkpoint", "compare", "limits"};
+
+/// With groups apart as in the list; each row belongs to runs that render unless it says otherwise.
 constexpr ArgumentAction kActions[] = {
     {"input", setFile<&PictureRequest::scene>},
 
@@ -227,7 +243,7 @@ constexpr ArgumentAction kActions[] = {
 
     {"bounces", setInteger<&RenderOptions::maxBounces, 0, kMaxBounces>},
     {"weight", setWeight},
-    {"epsilon", setEpsilon, Mode::rendering, "course adaptive"},
+    {"epsilon", setEpsilon, Mode::rendering, kEpsilons},
 
     {"random_samples", setPattern<Pattern::random>},
     {"uniform_samples", setPattern<Pattern::uniform>},
@@ -253,9 +269,9 @@ constexpr ArgumentAction kActions[] = {
     {"memory_limit", setInteger<&RunRequest::memoryLimit, 1, kMaxMemoryLimit>, Mode::any},
 
     {"threads", setInteger<&RunRequest::threads, 1, kMaxThreads>, Mode::any},
-    {"accel", setAccelerator, Mode::rendering, "fast tree"},
+    {"accel", setChoice<&Acceleration::kind>, Mode::rendering, kAccelerators},
     {"grid", setGrid},
-    {"simd", setSimd, Mode::rendering, "auto baseline avx2 avx512"},
+    {"simd", setChoice<&Acceleration::simd, false>, Mode::rendering, kLevels},
 
     {"compare", setCompare, Mode::comparing},
     {"tolerance", setInteger<&CompareRequest::tolerance, 0, 255>, Mode::comparing},
@@ -271,11 +287,10 @@ constexpr ArgumentAction kActions[] = {
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
 
-    {"progress", set<&RunRequest::progress, Progress::on>},
+    {"progress", set<&RunRequest::progress>},
     {"preview", set<&ResultRequest::preview>},
     {"quiet", setQuiet, Mode::any},
-    {"help", wantHelp, Mode::any,
-     "scene materials samples output inside grid parts checkpoint compare limits"},
+    {"help", wantHelp, Mode::any, kTopics},
     {"version", wantText<ProgramText::version>, Mode::any},
     {"man", wantText<ProgramText::man>, Mode::any},
     {"completion", wantText<ProgramText::completion>, Mode::any},

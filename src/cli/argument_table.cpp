@@ -2,12 +2,11 @@
 //
 // A line at the left is the heading of a group. An argument stands two columns further right, with
 // the names of its words in capitals, perhaps a second spelling behind a comma, and what it does,
-// which goes on in lines that begin at kTextColumn. So what is told of an argument, in any text,
+// which goes on in lines that begin further right. So what is told of an argument, in any text,
 // and how many words the parser takes for it cannot differ. The groups go from what every run needs
 // to what few ask for; what each argument does is looked up by its name in argument_actions.cpp.
 #include <algorithm>
 #include <cctype>
-#include <limits>
 #include <sstream>
 
 #include "cli/arguments.h"
@@ -154,18 +153,22 @@ Information:
 )";
 
 /// Reads "depth MIN MAX FILE" or "normals FILE, -normal FILE".
-ArgumentRow rowOf(const std::string& group, const std::string& heading) {
+ArgumentRow readHeading(const std::string& group, const std::string& heading) {
   ArgumentRow row;
   row.group = group;
   std::istringstream words(heading);
   words >> row.name;
-  for (std::string word; words >> word;) {
+  for (std::string word; words >> word && row.otherName.empty();) {
     if (word[0] == '-') {
       row.otherName = word.substr(1);
-      break;
+      continue;
     }
     row.words += (row.words.empty() ? "" : " ") + word;
+    row.leastWords += word[0] == '[' ? 0 : 1;
+    ++row.mostWords;
+    if (word.find("...") != std::string::npos) row.mostWords = std::string::npos;
   }
+  // What a second spelling follows ends in a comma.
   for (std::string* text : {&row.name, &row.words}) {
     if (!text->empty() && text->back() == ',') text->pop_back();
   }
@@ -196,7 +199,7 @@ std::vector<ArgumentRow> readRows() {
     }
     if (line[2] == '-') {
       const std::size_t end = headingEnd(line);
-      rows.push_back(rowOf(group, line.substr(3, end - 3)));
+      rows.push_back(readHeading(group, line.substr(3, end - 3)));
       line.erase(0, end);
     }
     std::string& help = rows.back().help;
@@ -222,14 +225,4 @@ const ArgumentRow* findArgument(const std::string& name) {
   };
   const auto found = std::find_if(table.begin(), table.end(), isCalledSo);
   return found != table.end() ? &*found : nullptr;
-}
-
-int leastWords(const ArgumentRow& row) {
-  if (row.words.empty() || row.words[0] == '[') return 0;
-  return 1 + int(std::count(row.words.begin(), row.words.end(), ' '));
-}
-
-std::size_t mostWords(const ArgumentRow& row) {
-  if (row.words.find("...") != std::string::npos) return std::numeric_limits<std::size_t>::max();
-  return row.words[0] == '[' ? 1 : std::size_t(leastWords(row));
 }

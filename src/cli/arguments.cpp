@@ -1,6 +1,8 @@
-// Reading the words that follow an argument.
+// Reading the words that follow an argument. A number must fill its whole word and lie within its
+// limits; a message names the argument, says what was expected, and shows the word as it was found.
 #include "cli/arguments.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "scene/number_reader.h"
@@ -17,6 +19,7 @@ std::string ArgumentWords::nameOfWord(std::size_t index) const {
   return name;
 }
 
+/// The message has the limits and what the table calls the word.
 int ArgumentWords::integer(std::size_t index, int least, int most) const {
   int value = 0;
   if (readInt(words_[index], value) && value >= least && value <= most) return value;
@@ -24,6 +27,7 @@ int ArgumentWords::integer(std::size_t index, int least, int most) const {
                   " for " + nameOfWord(index));
 }
 
+/// `expected` names the limits, which are numbers of another kind each time.
 double ArgumentWords::number(std::size_t index, double least, double most,
                              const std::string& expected) const {
   double value = 0;
@@ -31,15 +35,20 @@ double ArgumentWords::number(std::size_t index, double least, double most,
   return value;
 }
 
+/// What looks like a number but is too large, 1e999, is told apart from what is none.
 double ArgumentWords::anyNumber(std::size_t index, const std::string& what) const {
   double value = 0;
   if (readDouble(words_[index], value)) return value;
   fail(index, (isNumber(words_[index]) ? "a number within range for " : "a number for ") + what);
 }
 
-void ArgumentWords::failChoice(std::size_t index, WordList choices) const {
-  const std::string nearest(nearestWord(words_[index], choices));
-  failUsage("-", row_.name, ": expected ", listed(choices), ", found ", ::quoted(words_[index]),
+/// All choices are in the message.
+std::size_t ArgumentWords::choice(bool proposes) const {
+  const WordList choices = row_.action->choices;
+  const auto found = std::find(choices.begin(), choices.end(), words_[0]);
+  if (found != choices.end()) return std::size_t(found - choices.begin());
+  const std::string nearest(proposes ? nearestWord(words_[0], choices) : "");
+  failUsage("-", row_.name, ": expected ", listed(choices), ", found ", ::quoted(words_[0]),
             nearest.empty() ? "" : "; did you mean " + ::quoted(nearest) + "?");
 }
 

@@ -1,7 +1,6 @@
 // The table of all arguments, from which come the parser, `-help`, the manual page and bash's
 // completion; what each argument does; and the readers of the words that follow an argument.
 #pragma once
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,14 +20,6 @@ struct Draft : Request {
   std::optional<Band> band;      ///< -tile
 };
 
-/// Throws UsageError with all the `pieces` in a row.
-template <class... Pieces>
-[[noreturn]] void failUsage(const Pieces&... pieces) {
-  std::ostringstream message;
-  (message << ... << pieces);
-  throw UsageError(message.str());
-}
-
 class ArgumentWords;
 
 /// What an argument does.
@@ -40,8 +31,8 @@ struct ArgumentAction {
   /// What kind of run it belongs to.
   enum class Mode { rendering, comparing, merging, any };
   Mode mode = Mode::rendering;
-  /// The words that its first word may be, separated by single blanks, for completion.
-  const char* choices = "";
+  /// Words that its first word may be; that of -epsilon may be a number too.
+  WordList choices{nullptr, 0};
 };
 
 /// The action of the argument with this name, which is in the table.
@@ -55,6 +46,7 @@ struct ArgumentRow {
   /// The words that follow it, separated by single blanks; may be "". A last word that ends in
   /// "..." may be repeated, a single one in brackets be left out.
   std::string words;
+  std::size_t leastWords = 0, mostWords = 0;  ///< how many must follow, and how many may
   /// What it does and what holds when it is not given: one sentence without a full stop, in one
   /// line.
   std::string help;
@@ -66,10 +58,6 @@ const std::vector<ArgumentRow>& argumentTable();
 
 /// The row with this name or other name (without dashes), or nullptr.
 const ArgumentRow* findArgument(const std::string& name);
-
-/// How many words must follow the argument, and how many may.
-int leastWords(const ArgumentRow& row);
-std::size_t mostWords(const ArgumentRow& row);
 
 /// The words that follow an argument. Each reader reads word number `index`, from 0, and throws
 /// UsageError, naming the argument, what was expected and what was found, where it is wrong.
@@ -91,9 +79,11 @@ class ArgumentWords {
   /// The name of a file: anything but "". "-" is standard input or output.
   const std::string& file(std::size_t index) const;
 
+  /// The place of the first word among the choices of the argument's action; in the message of a
+  /// mistake the nearest one is proposed, unless not `proposes`.
+  std::size_t choice(bool proposes = true) const;
+
   [[noreturn]] void fail(std::size_t index, const std::string& expected) const;
-  /// The word is none of `choices`; the nearest of them is proposed.
-  [[noreturn]] void failChoice(std::size_t index, WordList choices) const;
 
  private:
   std::string nameOfWord(std::size_t index) const;
@@ -101,6 +91,18 @@ class ArgumentWords {
   const ArgumentRow& row_;
   const std::vector<std::string>& words_;
 };
+
+/// What is to be known beside the list of arguments. A text is plain ASCII in lines of at most 80
+/// columns. A line in capitals is a heading, other lines that begin at the left are paragraphs, and
+/// indented ones are shown as they stand (the manual page sets them so too).
+struct HelpTopic {
+  const char* name;     ///< one word, small letters
+  const char* summary;  ///< what it is about, at most 60 columns, for the list of topics
+  const char* text;     ///< ends with a line's end
+};
+
+/// All topics of `-help TOPIC`, in the order in which a beginner may want them.
+const std::vector<HelpTopic>& helpTopics();
 
 /// The list of all arguments, at most 80 columns wide, as `-help` prints it.
 std::string optionList();

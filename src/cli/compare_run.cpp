@@ -101,9 +101,7 @@ std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunR
     checkOutputs({inFolder(request.expected, name)}, request, run.quiet);
   }
   RunRequest defaults = run;
-  if (run.progress == RunRequest::Progress::automatic) {
-    defaults.progress = RunRequest::Progress::off;
-  }
+  defaults.progress = run.progress.value_or(false);
   std::vector<ComparedPair> pairs;
   for (const TableCommand& command : readCommandTable(request.actual, defaults)) {
     compareCommand(command, request, expected, pairs);

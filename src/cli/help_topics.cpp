@@ -1,9 +1,15 @@
-// The texts of `raytracer -help TOPIC`.
-#include "cli/help_topics.h"
+// The texts of `raytracer -help TOPIC`, as they are printed; the manual page has them too. How they
+// are set is told at HelpTopic. What the program does and what is told here change together: many a
+// line is held against the program by tests.
+#include <iterator>
+
+#include "cli/arguments.h"
 
 namespace {
 
-constexpr const char* kSceneTopic = R"(
+/// Each text begins behind its first line break.
+constexpr HelpTopic kTopicTexts[] = {
+    {"scene", "scene files: an example, every field, the grammar", 1 + R"(
 A scene file is text: words with white space between them. { and } are words of
 their own even when glued to another word. # or // at the start of a word begins
 a comment, to the end of the line. Lines may end in LF or CR LF, and the file
@@ -196,9 +202,9 @@ GRAMMAR
   step     = Translate V | Scale V | UniformScale F
            | XRotate F | YRotate F | ZRotate F | Rotate { V F }
            | Matrix { F ^ 16 }
-)";
+)"},
 
-constexpr const char* kMaterialsTopic = R"(
+    {"materials", "kinds of material, textures, glass, tinted shadows", 1 + R"(
 The fields of every kind of material are in 'raytracer -help scene'.
 
 COLOUR OF A SURFACE
@@ -337,9 +343,9 @@ cos)^5, R being that colour (Schlick, 1994). The weight of a ray is multiplied
 by the length of (F, F, F) or of (1 - F, 1 - F, 1 - F) (of an open surface times
 its colour), after the dimming of the way to the surface in each component. A
 clear ball of index 1 vanishes, but takes two bounces.
-)";
+)"},
 
-constexpr const char* kSamplesTopic = R"(
+    {"samples", "several rays in a pixel, filters, adaptive samples", 1 + R"(
 Without any of these options one ray goes through the centre of each pixel.
 
 PATTERNS AND FILTERS
@@ -385,9 +391,9 @@ those already taken included. In a filter a pixel counts the same with few
 samples as with many. MIN is rounded up to a square and MAX to this times a
 power of 4. -render_samples shows where the rays went. With TOLERANCE 1 the
 image is that of -jittered_samples MIN.
-)";
+)"},
 
-constexpr const char* kOutputTopic = R"(
+    {"output", "formats, exit status, messages, warnings, preview", 1 + R"(
 IMAGES AND THEIR FORMATS
 The ending of an image's name picks its format, in small letters or capitals:
   .tga  TGA, 24 bits, not compressed
@@ -454,9 +460,9 @@ THE SAME BYTES EVERYWHERE
 An image is a pure function of the scene and the arguments: the same bytes for
 any number of threads, compiler, optimisation, processor and -simd. Arithmetic
 is double; a byte is int(255 c), cut off and not rounded.
-)";
+)"},
 
-constexpr const char* kInsideTopic = R"(
+    {"inside", "-pixel, -stats, -heatmap, -materials, -check", 1 + R"(
 THE RAYS OF ONE PIXEL
   raytracer -input scenes/33_one_ray.txt -pixel 38 48 -pixel_obj rays.obj
 
@@ -527,9 +533,9 @@ THE SCENE ALONE
 
 reads the scene and its meshes, renders nothing, and reports every mistake with
 its line, up to 100 of them, and all warnings ('raytracer -help output').
-)";
+)"},
 
-constexpr const char* kGridTopic = R"(
+    {"grid", "the uniform grid and pictures of its cells", 1 + R"(
 -grid NX NY NZ finds hits through a uniform grid in place of the tree: each cell
 lists the spheres and triangles, those of meshes and inside Transforms too,
 whose surface has a part in it (of spheres that Transforms squash, the box), and
@@ -555,9 +561,9 @@ part (boxes alone count where they fill more than 2^26 cells together). With
   1 white, 2 violet, 3 blue, 4 cyan, 5 to 8 green, 9 to 16 yellow, 17 to 32
   orange, more red
 The scenes 31_grid_cells and 32_grid_counts show both.
-)";
+)"},
 
-constexpr const char* kPartsTopic = R"(
+    {"parts", "-region, -tile, -merge; many machines", 1 + R"(
   raytracer -input SCENE -size W H -output part.tga -region X Y W2 H2
   raytracer -input SCENE -size W H -output part.tga -tile I N
   raytracer -merge OUT PART...
@@ -612,9 +618,9 @@ cancelled, ...), merge.log names the rows. Then tile 33, for example, again:
   job=$(sbatch --parsable --array=33 tile.sbatch 64 \
     -input scene.txt -size 1920 1080)
   sbatch --dependency=afterok:$job merge.sbatch out.tga
-)";
+)"},
 
-constexpr const char* kCheckpointTopic = R"(
+    {"checkpoint", "long renders that may be ended and taken up again", 1 + R"(
   raytracer -input SCENE -output out.tga ... -checkpoint out.checkpoint
 
 keeps the tiles of all images but that of -heatmap in out.checkpoint, each as
@@ -637,9 +643,9 @@ which are read a second time. To try it:
   raytracer -input scenes/20_still_life.txt -size 1200 900 \
     -output b.tga -checkpoint c
   cmp a.tga b.tga
-)";
+)"},
 
-constexpr const char* kCompareTopic = R"topic(
+    {"compare", "comparing pictures, folders, tables of commands; grading", 1 + R"topic(
   raytracer -compare EXPECTED ACTUAL [-tolerance N] [-fail_percent P]
             [-diff FILE] [-report FILE.html] [-csv FILE]
 
@@ -693,9 +699,9 @@ folder of its own, and run
 Files that claim to hold enormous pictures are refused before memory is asked
 for: those that are too short for them, and beyond 2^26 pixels those with more
 than 256 pixels in a byte.
-)topic";
+)topic"},
 
-constexpr const char* kLimitsTopic = R"(
+    {"limits", "how much of everything; memory; epsilon", 1 + R"(
   Groups and Transforms    1000 deep inside each other
   -bounces                 0 to 10000; -threads 1 to 1024
   -grid                    1 to 1024 cells along an axis, 2^24 in all
@@ -726,28 +732,12 @@ EPSILON
 look. course, which is 0.001, gives the published pictures exactly; it is too
 large or too small for scenes of other sizes. adaptive follows the size of the
 numbers at the hit: no absolute constant is in it.
-)";
+)"},
+};
 
 }  // namespace
 
 const std::vector<HelpTopic>& helpTopics() {
-  static const std::vector<HelpTopic> kTopics = {
-      {"scene", "scene files: an example, every field, the grammar", kSceneTopic + 1},
-      {"materials", "kinds of material, textures, glass, tinted shadows", kMaterialsTopic + 1},
-      {"samples", "several rays in a pixel, filters, adaptive samples", kSamplesTopic + 1},
-      {"output", "formats, exit status, messages, warnings, preview", kOutputTopic + 1},
-      {"inside", "-pixel, -stats, -heatmap, -materials, -check", kInsideTopic + 1},
-      {"grid", "the uniform grid and pictures of its cells", kGridTopic + 1},
-      {"parts", "-region, -tile, -merge; many machines", kPartsTopic + 1},
-      {"checkpoint", "long renders that may be ended and taken up again", kCheckpointTopic + 1},
-      {"compare", "comparing pictures, folders, tables of commands; grading", kCompareTopic + 1},
-      {"limits", "how much of everything; memory; epsilon", kLimitsTopic + 1}};
-  return kTopics;
-}
-
-const HelpTopic* findTopic(const std::string& name) {
-  for (const HelpTopic& topic : helpTopics()) {
-    if (name == topic.name) return &topic;
-  }
-  return nullptr;
+  static const std::vector<HelpTopic> topics(std::begin(kTopicTexts), std::end(kTopicTexts));
+  return topics;
 }

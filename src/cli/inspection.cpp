@@ -1,5 +1,7 @@
-// What a run tells besides its pictures. -stats gives one line for each entry; the others ask
-// render/ and only bring its answers to their outputs.
+// What a run tells besides its pictures. -stats gives one line for each entry, in a fixed order:
+// what was used, how long it took, how many rays there were of each kind and after each number of
+// bounces, why branches ended, and what the answers for rays took. Numbers that are measured have a
+// fixed number of decimals. The other two ask render/ and only bring its answers to their outputs.
 #include "cli/inspection.h"
 
 #include <cstdio>
@@ -19,8 +21,10 @@ constexpr double kEscapeLength = 10;
 /// After this many bounces rays share one line of -stats.
 constexpr std::size_t kLongestList = 20;
 
+/// 0 where there is nothing to relate to.
 double ratio(double amount, double of) { return of > 0 ? amount / of : 0; }
 
+/// The counted rays; those of many bounces, of which there may be 10000, in one line.
 void addRays(const RayCounts& rays, std::ostream& text) {
   text << "rays: " << rays.total() << "\neye rays: " << rays.rays(RayKind::eye)
        << "\nmirror rays: " << rays.rays(RayKind::mirror)
@@ -50,6 +54,7 @@ void addTests(const char* what, const TestCounts& tests, std::uint64_t rays, std
        << ratio(double(tests.primitives), double(rays)) << '\n';
 }
 
+/// A line of the report; nothing once standard output has failed.
 void writeOut(const std::string& text) {
   if (!std::ferror(stdout)) std::fwrite(text.data(), 1, text.size(), stdout);
 }
@@ -76,34 +81,36 @@ std::string Stats::text(const PictureRequest& picture) const {
   return text.str();
 }
 
-void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,
+/// Has a line of progress of its own, as all rays are traced once more.
+void drawHeatmap(const SceneParser& scene, const Object3D& geometry, const PictureRequest& picture,
                  const RunRequest& run, std::vector<Output>& outputs) {
   Output* const heat = findOutput(outputs, OutputRequest::Kind::heatmap);
   if (!heat) return;
   RunDisplay display(run.progress);
-  const std::vector<std::uint32_t> counts =
-      countRays(inspected.scene, inspected.geometry, picture.render, run.threads, picture.width,
-                picture.height, &display);
+  const std::vector<std::uint32_t> counts = countRays(scene, geometry, picture.render, run.threads,
+                                                      picture.width, picture.height, &display);
   display.finish();
   heat->text = drawHeatmap(counts, heat->image);
 }
 
-std::string inspectPixel(const InspectedScene& inspected, const RenderRequest& render,
+std::string inspectPixel(const SceneParser& scene, const ObjectPlaces& places,
+                         const Object3D& geometry, const RenderRequest& render,
                          std::vector<Output>& outputs) {
   if (!render.results.pixel) return "";
   const PictureRequest& picture = render.picture;
   const PictureSpot at = *render.results.pixel;
-  const SceneNames names(inspected.scene, inspected.places);
-  const auto report = makeRayReport(names, inspected.geometry, picture.render, writeOut);
-  const double span = inspected.scene.getSpan();
-  RayLines lines(inspected.geometry, picture.render, span > 0 ? span : kEscapeLength);
+  const SceneNames names(scene, places);
+  const auto report = makeRayReport(names, geometry, picture.render, writeOut);
+  // A ray that meets nothing is drawn as long as the scene.
+  const double span = scene.getSpan();
+  RayLines lines(geometry, picture.render, span > 0 ? span : kEscapeLength);
   Output* const obj = findOutput(outputs, OutputRequest::Kind::rays);
   std::vector<RayObserver*> observers = {report.get()};
   if (obj) observers.push_back(&lines);
   const PictureWindow place = {at.x, picture.height - 1 - at.y, picture.width, picture.height};
-  const Vec3f color =
-      tracePixel(inspected.scene, inspected.geometry, picture.render, place, observers);
+  const Vec3f color = tracePixel(scene, geometry, picture.render, place, observers);
   if (obj) obj->text = lines.obj();
+  // The colour is the picture's, of all samples; what was reported is the central ray.
   const Rgb8 bytes = bytesFromColor(color);
   std::ostringstream result;
   if (!picture.render.sampling.isPlain()) {

@@ -25,20 +25,15 @@ struct Stats {
   std::string text(const PictureRequest& picture) const;
 };
 
-/// The scene, where its objects stand in its file (filled where a pixel is traced), and what
-/// answers for them. Nothing is owned.
-struct InspectedScene {
-  const SceneParser& scene;
-  const ObjectPlaces& places;
-  const Object3D& geometry;
-};
-
-/// Draws the heat map in its output and stores its scale there, where `outputs` has it.
-void drawHeatmap(const InspectedScene& inspected, const PictureRequest& picture,
+/// Draws the heat map in its output and stores its scale there, where `outputs` has it. `geometry`
+/// answers for the scene's objects.
+void drawHeatmap(const SceneParser& scene, const Object3D& geometry, const PictureRequest& picture,
                  const RunRequest& run, std::vector<Output>& outputs);
 
 /// Writes the tree of the pixel's rays to standard output, as far as that takes it (the caller
 /// looks at ferror(stdout)), and stores their lines where `outputs` has them. Returns what is to be
 /// printed last: the pixel's colour in numbers and in bytes, or "" where no pixel is asked for.
-std::string inspectPixel(const InspectedScene& inspected, const RenderRequest& render,
+/// `places` says where the objects stand in the scene's file, `geometry` answers for them.
+std::string inspectPixel(const SceneParser& scene, const ObjectPlaces& places,
+                         const Object3D& geometry, const RenderRequest& render,
                          std::vector<Output>& outputs);

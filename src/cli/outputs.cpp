@@ -1,6 +1,7 @@
-// The files of a run. A file may be named more than once in different words: two names are one file
-// where the system says so, or, for files that are not there yet, where following all links leads
-// both to one path.
+// The files of a run: what each kind of output is, whether all names are of different files, and
+// writing what has been rendered. A file may be named more than once in different words: two names
+// are one file where the system says so, or, for files that are not there yet, where following all
+// links leads both to one path.
 #include "cli/outputs.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = OutputRequest::Kind;
 
-/// What an output goes to and an input comes from.
+// "-" by the name of a device: what an output goes to and an input comes from.
 std::string outputPath(const std::string& file) { return file == "-" ? "/dev/stdout" : file; }
 std::string inputPath(const std::string& file) { return file == "-" ? "/dev/stdin" : file; }
 
@@ -53,18 +54,10 @@ struct NamedFile {
   std::string file;
 };
 
-std::vector<NamedFile> namedOutputs(const ResultRequest& results, const std::string& checkpoint) {
-  std::vector<NamedFile> named;
-  for (const OutputRequest& output : results.outputs) {
-    named.push_back({output.argument(), output.file});
-  }
-  if (!checkpoint.empty()) named.push_back({"-checkpoint", checkpoint});
-  return named;
-}
-
+/// Two arguments name one file.
 [[noreturn]] void refuse(const NamedFile& a, const NamedFile& b) {
-  throw UsageError(std::string(a.argument) + " and " + b.argument +
-                   ": expected different files, found '" + a.file + "' and '" + b.file + "'");
+  failUsage(a.argument, " and ", b.argument, ": expected different files, found '", a.file,
+            "' and '", b.file, "'");
 }
 
 /// Calls work(); returns false, complaining, where an output fails for any reason.
@@ -81,26 +74,32 @@ bool succeeds(const Output& output, const Work& work) {
   return false;
 }
 
-/// What the renderer fills for each kind of output, in the order of Kind; null where it does not.
-struct Target {
+/// What there is to know of each kind of output, in the order of Kind: the argument that asks for
+/// it, and what the renderer fills for it; null where it does not.
+struct KindRow {
+  const char* argument;
   Image* RenderTargets::*image;
   FloatImage* RenderTargets::*exact;
 };
-constexpr Target kTargets[] = {
-    {&RenderTargets::color, &RenderTargets::exactColor},
-    {&RenderTargets::depth, &RenderTargets::exactDepth},
-    {&RenderTargets::normals, &RenderTargets::exactNormals},
-    {&RenderTargets::samples, nullptr},
-    {nullptr, nullptr},
-    {&RenderTargets::materials, nullptr},
-    {nullptr, nullptr},
-    {nullptr, nullptr},
+constexpr KindRow kKinds[] = {
+    {"-output", &RenderTargets::color, &RenderTargets::exactColor},
+    {"-depth", &RenderTargets::depth, &RenderTargets::exactDepth},
+    {"-normals", &RenderTargets::normals, &RenderTargets::exactNormals},
+    {"-render_samples", &RenderTargets::samples, nullptr},
+    {"-render_filter", nullptr, nullptr},
+    {"-materials", &RenderTargets::materials, nullptr},
+    {"-heatmap", nullptr, nullptr},
+    {"-pixel_obj", nullptr, nullptr},
 };
 
+const KindRow& rowOf(Kind kind) { return kKinds[std::size_t(kind)]; }
+
+/// PFM alone keeps colours as they were computed, and only of pictures that have such.
 bool wantsFloats(const Output& output) {
-  return kTargets[int(output.kind)].exact && formatOf(output.file) == PictureFormat::pfm;
+  return rowOf(output.kind).exact && formatOf(output.file) == PictureFormat::pfm;
 }
 
+/// Throws OutputError.
 void write(const Output& output, int threads) {
   if (output.kind == Kind::rays) {
     return writeFile(output.file, output.text.data(), output.text.size());
@@ -111,6 +110,8 @@ void write(const Output& output, int threads) {
 
 }  // namespace
 
+const char* OutputRequest::argument() const { return rowOf(kind).argument; }
+
 bool isSameOutput(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   return (a == "-" && b == "-") || isSamePlace(outputPath(a), outputPath(b));
@@ -119,21 +120,26 @@ bool isSameOutput(const std::string& a, const std::string& b) {
 void checkFiles(const RenderRequest& render, const std::string& checkpoint,
                 const std::vector<std::string>& meshFiles) {
   const NamedFile input = {"-input", render.picture.scene};
-  const std::vector<NamedFile> outputs = namedOutputs(render.results, checkpoint);
   const std::string printing = printingArgument(render.results);
+  std::vector<NamedFile> outputs;
+  for (const OutputRequest& output : render.results.outputs) {
+    outputs.push_back({output.argument(), output.file});
+  }
+  if (!checkpoint.empty()) outputs.push_back({"-checkpoint", checkpoint});
+  // Each output against the scene, standard output where lines go there, the outputs before it, and
+  // the meshes.
   for (const NamedFile& output : outputs) {
     if (isSamePlace(inputPath(input.file), outputPath(output.file))) refuse(input, output);
     if (!printing.empty() && isSameOutput(output.file, "-")) {
-      throw UsageError(printing + ": expected standard output for its lines, found an image there");
+      failUsage(printing, ": expected standard output for its lines, found an image there");
     }
     for (const NamedFile* other = outputs.data(); other != &output; ++other) {
       if (isSameOutput(other->file, output.file)) refuse(*other, output);
     }
     for (const std::string& mesh : meshFiles) {
       if (!isSameOutput(mesh, output.file)) continue;
-      throw UsageError(std::string(output.argument) +
-                       ": expected a file that the scene does not read, found '" + output.file +
-                       "', one of its meshes");
+      failUsage(output.argument, ": expected a file that the scene does not read, found '",
+                output.file, "', one of its meshes");
     }
   }
 }
@@ -154,6 +160,7 @@ Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind) {
   return found != outputs.end() ? &*found : nullptr;
 }
 
+/// Nothing is written or created for that.
 std::size_t markUnwritable(std::vector<Output>& outputs) {
   std::size_t writable = 0;
   for (Output& output : outputs) {
@@ -166,6 +173,7 @@ std::size_t markUnwritable(std::vector<Output>& outputs) {
 void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
   const PixelRectangle& area = picture.area;
   for (Output& output : outputs) {
+    // The filter's picture has nothing to do with rays, and that of one pixel's rays is a text.
     if (output.kind == Kind::filter) {
       const SamplingOptions& sampling = picture.render.sampling;
       output.image = drawFilter({sampling.filter, sampling.filterSize}, picture.width,
@@ -181,9 +189,9 @@ RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outp
   RenderTargets targets;
   targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
   for (Output& output : outputs) {
-    const Target& target = kTargets[int(output.kind)];
-    if (target.image) targets.*target.image = &output.image;
-    if (wantsFloats(output)) targets.*target.exact = &output.exact;
+    const KindRow& row = rowOf(output.kind);
+    if (row.image) targets.*row.image = &output.image;
+    if (wantsFloats(output)) targets.*row.exact = &output.exact;
     if (output.kind == Kind::samples) targets.samplesZoom = output.zoom;
     if (output.kind != Kind::depth) continue;
     targets.depthMin = output.depthMin;
@@ -193,13 +201,15 @@ RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outp
 }
 
 bool wantsRays(const std::vector<Output>& outputs) {
-  const auto isTraced = [](const Output& output) { return kTargets[int(output.kind)].image; };
+  const auto isTraced = [](const Output& output) { return rowOf(output.kind).image; };
   return std::any_of(outputs.begin(), outputs.end(), isTraced);
 }
 
+/// One that fails costs none of the others.
 std::size_t writeAll(const std::vector<Output>& outputs, int threads) {
   std::size_t written = 0;
   for (const Output& output : outputs) {
+    // One without a file was traced for -stats or -preview alone.
     if (output.file.empty() || !output.isWritable) continue;
     written += succeeds(output, [&] { write(output, threads); });
   }

@@ -27,23 +27,17 @@ namespace {
 /// the user's shell sets for the first thread.
 constexpr std::size_t kRunStack = 8 << 20;
 
-int printText(const Request& request) {
-  switch (request.text) {
-    case ProgramText::shortHelp:
-      return print(shortHelp());
-    case ProgramText::help:
-      return print(request.topic ? request.topic->text : fullHelp());
-    case ProgramText::version:
-      return print(versionText() + "\n");
-    case ProgramText::man:
-      return print(manPage());
-    default:
-      return print(completionScript());
-  }
+/// One of the texts about the program, whole.
+std::string textOf(const Request& request) {
+  if (request.text == ProgramText::shortHelp) return shortHelp();
+  if (request.text == ProgramText::version) return versionText() + "\n";
+  if (request.text == ProgramText::man) return manPage();
+  if (request.text == ProgramText::completion) return completionScript();
+  return request.topic ? request.topic->text : fullHelp();
 }
 
 int answer(const Request& request) {
-  if (request.text != ProgramText::none) return printText(request);
+  if (request.text != ProgramText::none) return print(textOf(request));
   if (request.check) return checkScene(request.render.picture.scene, request.run.quiet);
   if (request.compare.isWanted()) return runComparison(request.compare, request.run);
   if (!request.merge.isWanted()) return renderScene(request.render, request.run);
@@ -72,18 +66,6 @@ int answerWithin(int megabytes, const Request& request) {
   }
 }
 
-/// Takes what has been written, `size` bytes, off the front of the pieces.
-void drop(std::size_t size, iovec* first, iovec* last) {
-  for (; first != last; ++first) {
-    const std::size_t taken = std::min(size, first->iov_len);
-    first->iov_base = static_cast<char*>(first->iov_base) + taken;
-    first->iov_len -= taken;
-    size -= taken;
-  }
-}
-
-iovec piece(std::string_view text) { return {const_cast<char*>(text.data()), text.size()}; }
-
 }  // namespace
 
 int runProgram(const std::vector<std::string>& words) {
@@ -94,14 +76,23 @@ int runProgram(const std::vector<std::string>& words) {
 
 void complain(std::string_view message) {
   constexpr int kPieces = 3;
-  const std::string_view start = isLineOpen() ? "\nraytracer: " : "raytracer: ";
+  std::string_view rest[kPieces] = {isLineOpen() ? "\nraytracer: " : "raytracer: ", message, "\n"};
   setLineOpen(false);
-  iovec pieces[kPieces] = {piece(start), piece(message), piece("\n")};
-  while (pieces[kPieces - 1].iov_len > 0) {
+  // As a rule once round: a terminal, file or pipe takes a message as a whole.
+  while (!rest[kPieces - 1].empty()) {
+    iovec pieces[kPieces];
+    for (int i = 0; i < kPieces; ++i) {
+      pieces[i] = {const_cast<char*>(rest[i].data()), rest[i].size()};
+    }
     const ssize_t written = writev(STDERR_FILENO, pieces, kPieces);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return;  // nobody to tell
-    drop(std::size_t(written), pieces, pieces + kPieces);
+    auto done = std::size_t(written);
+    for (std::string_view& piece : rest) {
+      const std::size_t taken = std::min(done, piece.size());
+      piece.remove_prefix(taken);
+      done -= taken;
+    }
   }
 }
 

@@ -71,9 +71,8 @@ class RenderRun {
   int write();
 
  private:
-  void openCheckpointFor(RenderTargets& targets);
   void traceRays(RenderTargets targets, RunDisplay& display);
-  void inspect(const InspectedScene& inspected, const MaterialColors& materialColors);
+  void inspect(const Object3D& geometry, const MaterialColors& materialColors);
 
   const RenderRequest& request_;
   const RunRequest& run_;
@@ -110,14 +109,6 @@ bool RenderRun::prepareOutputs() {
   return true;
 }
 
-void RenderRun::openCheckpointFor(RenderTargets& targets) {
-  const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
-                                                scene_.getMeshFiles(), run_.threads);
-  checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
-  if (!run_.quiet) checkpoint_->tell();
-  targets.store = checkpoint_.get();
-}
-
 void RenderRun::trace() {
   const PictureRequest& picture = request_.picture;
   const ResultRequest& results = request_.results;
@@ -131,7 +122,13 @@ void RenderRun::trace() {
     return targetsOf(picture, outputs_);
   });
   const bool isTraced = wantsRays(outputs_);
-  if (isTraced && !run_.checkpoint.empty()) openCheckpointFor(targets);
+  if (isTraced && !run_.checkpoint.empty()) {
+    const Digest fingerprint = pictureFingerprint(results, request_.given, notes_.digest,
+                                                  scene_.getMeshFiles(), run_.threads);
+    checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
+    if (!run_.quiet) checkpoint_->tell();
+    targets.store = checkpoint_.get();
+  }
   const Output* const shown = results.preview ? previewOf(outputs_) : nullptr;
   RunDisplay display(run_.progress, shown && isTraced ? &shown->image : nullptr,
                      shown ? shown->zoom : 1);
@@ -161,20 +158,21 @@ void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   stats_.tests = geometry.tallied();
   display.finish();
   status_ = print(display.lastPicture());
-  inspect({scene_, notes_.places, geometry.object()}, materialColors);
+  inspect(geometry.object(), materialColors);
 }
 
 /// What is told of the picture besides: rays are traced once more for the heat map and the pixel.
-void RenderRun::inspect(const InspectedScene& inspected, const MaterialColors& materialColors) {
+void RenderRun::inspect(const Object3D& geometry, const MaterialColors& materialColors) {
   if (Output* const materials = findOutput(outputs_, Kind::materials)) {
     materials->text = materialColors.legend(materials->image);
   }
-  drawHeatmap(inspected, request_.picture, run_, outputs_);
-  lastLines_ = inspectPixel(inspected, request_, outputs_);
+  drawHeatmap(scene_, geometry, request_.picture, run_, outputs_);
+  lastLines_ = inspectPixel(scene_, notes_.places, geometry, request_, outputs_);
 }
 
 int RenderRun::write() {
   watch_.restart();
+  // A checkpoint is kept until everything that it stands for has been written.
   const bool areAllWritten = writeAll(outputs_, run_.threads) == request_.results.outputs.size();
   if (checkpoint_ && areAllWritten) checkpoint_->remove();
   stats_.writeSeconds = watch_.restart();

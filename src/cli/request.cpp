@@ -1,5 +1,11 @@
 // Reading the command line: first every argument in turn, then what several of them must fulfil
 // together.
+//
+// An argument takes as many of the words behind it as the table gives it, and enters itself in the
+// draft. Only then, as arguments come in any order, is looked at what depends on more than one: the
+// mode of the run, what is missing, and all that has to fit the size of the picture. The first
+// mistake in this order is the one that is told. At the end the area that is rendered is counted
+// from the lower left corner, as the camera counts, and the threads are as many as are used.
 #include "cli/request.h"
 
 #include <algorithm>
@@ -21,6 +27,7 @@ std::string nameOf(const std::string& word) {
   return word.substr(word.compare(0, 2, "--") == 0 ? 2 : 1);
 }
 
+/// Proposes the argument whose name, or second spelling, is nearest.
 [[noreturn]] void failUnknown(const std::string& word) {
   if (nameOf(word).empty())
     failUsage("expected an argument such as -input, found ", ::quoted(word));
@@ -39,11 +46,10 @@ std::string nameOf(const std::string& word) {
 /// the next argument, and then all that it may have, up to the next word with a dash.
 std::vector<std::string> followingWords(const std::vector<std::string>& words, std::size_t at,
                                         const ArgumentRow& row) {
-  const auto least = std::size_t(leastWords(row));
   std::vector<std::string> found;
-  for (std::size_t next = at + 1; found.size() < mostWords(row); ++next) {
+  for (std::size_t next = at + 1; found.size() < row.mostWords; ++next) {
     const bool isEnd = next == words.size();
-    const bool isNeeded = found.size() < least;
+    const bool isNeeded = found.size() < row.leastWords;
     if (!isNeeded && (isEnd || !nameOf(words[next]).empty())) break;
     if (isEnd || (isNeeded && findArgument(nameOf(words[next]))))
       failUsage(words[at], ": expected ", row.words, ", found ",
@@ -75,6 +81,7 @@ std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& wo
 /// -compare and -merge are modes of their own: what only renders has no place beside them, nor the
 /// other way round.
 void checkMode(const Request& request, const std::vector<const ArgumentRow*>& given) {
+  // Both may have been given: -compare then counts, and -merge is what does not belong.
   const Mode mode = request.compare.isWanted() ? Mode::comparing
                     : request.merge.isWanted() ? Mode::merging
                                                : Mode::rendering;
@@ -87,7 +94,7 @@ void checkMode(const Request& request, const std::vector<const ArgumentRow*>& gi
   }
 }
 
-/// What cannot do without another argument.
+/// What cannot do without another argument: cells need a grid, and a scene something to be done.
 void checkComplete(const Draft& draft) {
   const ResultRequest& results = draft.render.results;
   const Acceleration& acceleration = draft.render.picture.acceleration;
@@ -127,6 +134,7 @@ void checkZooms(const RenderRequest& render) {
   }
 }
 
+/// Whose rays are printed or written must be a pixel of the picture.
 void checkPixel(const RenderRequest& render) {
   const PictureRequest& picture = render.picture;
   const auto& pixel = render.results.pixel;
@@ -138,7 +146,8 @@ void checkPixel(const RenderRequest& render) {
             ", the size of the image, found '", pixel->x, " ", pixel->y, "'");
 }
 
-/// Nothing is wanted that has no parts.
+/// One part of the picture is wanted, and nothing that has no parts: enlarged pictures are not put
+/// together, and what is printed is of the whole.
 void checkPart(const Draft& draft) {
   const ResultRequest& results = draft.render.results;
   const std::string name = draft.region ? "-region" : "-tile";
@@ -153,6 +162,7 @@ void checkPart(const Draft& draft) {
   }
 }
 
+/// The pixels of a region, counted from the lower left corner; it must lie in the picture.
 PixelRectangle areaOf(const Draft::Region& region, const PictureRequest& picture) {
   const int right = region.x + region.width, bottom = region.y + region.height;
   if (right > picture.width || bottom > picture.height) {
@@ -163,7 +173,8 @@ PixelRectangle areaOf(const Draft::Region& region, const PictureRequest& picture
   return {region.x, picture.height - bottom, right, picture.height - region.y};
 }
 
-/// Bands are cut so that their heights differ by one row at most.
+/// Likewise of a band, of which no picture has more than rows. They are cut so that their heights
+/// differ by one row at most.
 PixelRectangle areaOf(const Draft::Band& band, const PictureRequest& picture) {
   const int height = picture.height;
   if (band.count > height) {
@@ -183,13 +194,6 @@ int threadCount(const RunRequest& run) {
 }
 
 }  // namespace
-
-const char* OutputRequest::argument() const {
-  static constexpr const char* kArguments[] = {
-      "-output",        "-depth",     "-normals", "-render_samples",
-      "-render_filter", "-materials", "-heatmap", "-pixel_obj"};  // in the order of Kind
-  return kArguments[int(kind)];
-}
 
 const OutputRequest* ResultRequest::find(OutputRequest::Kind kind) const {
   for (const OutputRequest& output : outputs)

@@ -12,7 +12,6 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid/grid_frame.h"
-#include "cli/help_topics.h"
 #include "cli/program.h"
 #include "render/image_plane.h"
 #include "render/render_options.h"
@@ -92,16 +91,11 @@ struct ResultRequest {
 
 /// How the program runs, whatever it does.
 struct RunRequest {
-  /// Whether standard error tells how far the picture is.
-  enum class Progress {
-    automatic,  ///< where it is a terminal
-    on,
-    off
-  };
   int threads = 0;      ///< worker threads, 1..kMaxThreads
   int memoryLimit = 0;  ///< MB (2^20 bytes) that it may take, 1..kMaxMemoryLimit; 0 = no limit
   bool quiet = false;   ///< no warnings
-  Progress progress = Progress::automatic;
+  /// Whether standard error tells how far the picture is; where nothing is said, a terminal does.
+  std::optional<bool> progress;
   std::string checkpoint;  ///< where finished tiles are kept; empty = nowhere
 };
 
@@ -139,6 +133,8 @@ struct MergeRequest {
 
   bool isWanted() const { return !parts.empty(); }
 };
+
+struct HelpTopic;
 
 /// The texts about the program. Of several that are wanted the first in this order is printed.
 enum class ProgramText { shortHelp, help, version, man, completion, none };

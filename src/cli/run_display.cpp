@@ -26,6 +26,7 @@ constexpr const char* kUpperHalf = "\xe2\x96\x80";  // U+2580
 constexpr int kFreeLines = 2;
 constexpr int kMostColumns = 1000;
 
+/// The whole number above 0 that the variable holds, or else `otherwise`.
 int fromEnvironment(const char* name, int otherwise) {
   const char* const word = std::getenv(name);
   int value = 0;
@@ -48,6 +49,7 @@ std::string number(const char* format, double value) {
   return text;
 }
 
+/// In the unit that leaves two or three digits.
 std::string duration(double seconds) {
   if (seconds < 10) return number("%.1f s", seconds);
   if (seconds < 100) return number("%.0f s", seconds);
@@ -67,6 +69,7 @@ std::string linesUp(int lines) {
 
 }  // namespace
 
+/// A character is about twice as high as wide, so that a cell, half of one, is a square.
 TerminalPicture::TerminalPicture(int width, int height, const TerminalSize& terminal)
     : width_(width), height_(height) {
   const int mostColumns = std::clamp(terminal.columns, 1, kMostColumns);
@@ -77,6 +80,7 @@ TerminalPicture::TerminalPicture(int width, int height, const TerminalSize& term
   cells_.resize(std::size_t(columns_) * std::size_t(rows_));
 }
 
+/// In 64 bits, as pixels times cells may pass 2^31.
 void TerminalPicture::add(const Image& image, int left, int bottom, int right, int top) {
   for (int j = bottom; j < top; ++j) {
     const auto row = std::size_t((height_ - 1 - j) * std::int64_t(rows_) / height_);
@@ -84,10 +88,8 @@ void TerminalPicture::add(const Image& image, int left, int bottom, int right, i
       const auto column = std::size_t(i * std::int64_t(columns_) / width_);
       Cell& cell = cells_[row * std::size_t(columns_) + column];
       const Rgb8 pixel = image.getPixel(i, j);
-      cell.red += pixel.r;
-      cell.green += pixel.g;
-      cell.blue += pixel.b;
-      cell.pixels += 1;
+      cell.sum += Vec3d(pixel.r, pixel.g, pixel.b);
+      ++cell.pixels;
     }
   }
 }
@@ -98,8 +100,9 @@ std::string TerminalPicture::colorCode(int kind, int column, int row) const {
   if (row == rows_) return "";
   const Cell& cell = cells_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
   std::string text = "\033[" + std::to_string(kind) + ";2";
-  for (const double sum : {cell.red, cell.green, cell.blue}) {
-    text += ";" + std::to_string(cell.pixels > 0 ? std::lround(sum / cell.pixels) : 0);
+  for (int component = 0; component < 3; ++component) {
+    const double mean = cell.sum[component] / std::max(cell.pixels, 1);
+    text += ";" + std::to_string(std::lround(mean));
   }
   return text + "m";
 }
@@ -107,7 +110,7 @@ std::string TerminalPicture::colorCode(int kind, int column, int row) const {
 /// A colour is named only where it is another than the last one.
 std::string TerminalPicture::text() const {
   std::string text;
-  for (int row = 0; row < rows_; row += 2) {
+  for (int row = 0; row < rows_; row += 2) {  // two rows of cells in a line
     std::string last[2];
     for (int column = 0; column < columns_; ++column) {
       for (const int lower : {0, 1}) {
@@ -130,6 +133,7 @@ std::string pictureText(const Image& image) {
 
 std::string progressText(double rays, double allRays, double seconds) {
   constexpr double kLeast = 1e-6;
+  // 100 % is said only when all is done.
   const double done = std::min(rays / allRays, 1.0);
   std::string text = number("%3.0f %%, ", done < 1 ? std::min(100 * done, 99.0) : 100) +
                      rate(rays / std::max(seconds, kLeast)) + " eye rays/s, ";
@@ -137,12 +141,8 @@ std::string progressText(double rays, double allRays, double seconds) {
   return text + (done > 0 ? duration(seconds / done * (1 - done)) : "some time") + " left";
 }
 
-RunDisplay::RunDisplay(RunRequest::Progress progress, const Image* preview, int zoom)
-    : showsProgress_(progress == RunRequest::Progress::automatic
-                         ? isatty(STDERR_FILENO) == 1
-                         : progress == RunRequest::Progress::on),
-      image_(preview),
-      zoom_(zoom) {
+RunDisplay::RunDisplay(std::optional<bool> progress, const Image* preview, int zoom)
+    : showsProgress_(progress.value_or(isatty(STDERR_FILENO) == 1)), image_(preview), zoom_(zoom) {
   if (image_ && isatty(STDOUT_FILENO) == 1) {
     picture_.emplace(image_->Width(), image_->Height(), terminalSize());
   }
@@ -195,6 +195,7 @@ void RunDisplay::drawProgress() {
   std::fflush(stderr);
 }
 
+/// The last line tells the time that all took.
 void RunDisplay::finish() {
   if (allRays_ == 0 || !showsProgress_) return;
   rays_ = allRays_;

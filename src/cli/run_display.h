@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/request.h"
 #include "image/image.h"
 #include "render/image_plane.h"
 #include "render/renderer.h"
@@ -35,7 +34,8 @@ class TerminalPicture {
  private:
   /// The sum of a cell's pixels, and how many they are.
   struct Cell {
-    double red = 0, green = 0, blue = 0, pixels = 0;
+    Vec3d sum;
+    int pixels = 0;
   };
   std::string colorCode(int kind, int column, int row) const;
 
@@ -51,9 +51,9 @@ std::string progressText(double rays, double allRays, double seconds);
 
 class RunDisplay : public TileListener {
  public:
-  /// Shows `preview`, unless it is null, which is not owned: a picture of `zoom` pixels each way
-  /// for each that tiles have.
-  explicit RunDisplay(RunRequest::Progress progress, const Image* preview = nullptr, int zoom = 1);
+  /// Tells of the progress as RunRequest::progress says. Shows `preview`, unless it is null, which
+  /// is not owned: a picture of `zoom` pixels each way for each that tiles have.
+  explicit RunDisplay(std::optional<bool> progress, const Image* preview = nullptr, int zoom = 1);
   /// Ends the line of progress where one is open.
   ~RunDisplay() override;
   RunDisplay(const RunDisplay&) = delete;

@@ -1,5 +1,9 @@
-// Reading a scene, with its warnings; and building what answers for its objects. None of the ways
-// to answer changes a pixel, but for the cells of a grid, which are drawn in place of the scene.
+// Reading a scene, with its warnings; and building what answers for its objects.
+//
+// The scene is read whole, so that the bytes that are parsed are those of its digest. Warnings are
+// those of the scene first, then what of the arguments cannot be had as it was asked for. None of
+// the ways to answer for objects changes a pixel, but for the cells of a grid, which are drawn in
+// place of the scene.
 #include "cli/scene_setup.h"
 
 #include "accel/compiled_scene.h"
@@ -27,10 +31,12 @@ constexpr CountColor kCountColors[] = {
     {32, {1, 0.5f, 0.1f}},   {33, {0.9f, 0.1f, 0.1f}},
 };
 
+/// What messages call the scene.
 std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
+/// The best that the processor has is taken in its stead.
 void warnOfSimd(SimdLevel wanted) {
   const SimdLevel available = availableSimd(wanted);
   if (wanted == SimdLevel::automatic || available == wanted) return;
@@ -63,6 +69,7 @@ SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNo
   return withMemory("to read " + displayName(file), [&] {
     const SourceText text = SourceText::read(file);
     const std::string_view bytes = text.bytes();
+    // Only what is taken up another time, or put together with others, has to know its scene again.
     if (!run.checkpoint.empty() || render.picture.isPart) {
       notes.digest = sha256(bytes.data(), bytes.size());
     }
@@ -77,6 +84,7 @@ void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet)
     warnOfSimd(picture.acceleration.simd);
     warnOfSamples(options.sampling);
   }
+  // These ask what a ray is inside of, which only a closed mesh can tell.
   if (options.transparentShadows || options.nestedDielectrics || options.fresnel) {
     withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
   }
@@ -89,6 +97,7 @@ int checkScene(const std::string& file, bool quiet) {
   });
   for (const std::string& warning : warnings) complain("warning: " + warning);
   for (const InputError& mistake : mistakes) complain(mistake.what());
+  // There may be more of them.
   if (mistakes.size() >= MistakeLog::kCapacity) {
     complain(displayName(file) + ": reading ended with mistake number " +
              std::to_string(mistakes.size()));

@@ -1,13 +1,17 @@
 // The texts that are made from the table of arguments and the topics of help: the lists of the
 // help, the manual page in the macros of man(7), and the script with which bash completes a command
 // line.
+//
+// The manual page has the arguments as paragraphs with hanging tags, group by group, and then every
+// topic as a section. The script holds the names of all arguments and, for each that takes words,
+// what can be offered in the place of each of them; a shell function walks along the line with
+// that.
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <utility>
 
 #include "cli/arguments.h"
-#include "cli/help_topics.h"
 
 namespace {
 
@@ -89,6 +93,7 @@ std::string spelling(const std::string& name, const ArgumentRow& row) {
   return "\\fB\\-" + forTroff(name) + "\\fR" + words;
 }
 
+/// The section about all arguments, its groups as subsections.
 std::string entries() {
   std::string text, group;
   for (const ArgumentRow& row : argumentTable()) {
@@ -101,6 +106,7 @@ std::string entries() {
   return text;
 }
 
+/// In capitals.
 bool isHeading(const std::string& line) {
   return std::none_of(line.begin(), line.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
@@ -114,6 +120,8 @@ std::string topicSection(const HelpTopic& topic) {
   std::istringstream lines(topic.text);
   bool isExample = false, isNewParagraph = false;
   for (std::string line; std::getline(lines, line);) {
+    // An example ends where a line begins at the left; paragraphs begin there and after an empty
+    // line.
     const bool wasExample = std::exchange(isExample, line.compare(0, 2, "  ") == 0);
     if (wasExample && !isExample) text += ".EE\n";
     isNewParagraph = isNewParagraph || line.empty() || (wasExample && !isExample);
@@ -132,23 +140,22 @@ std::string topicSection(const HelpTopic& topic) {
 }
 
 /// Names that the table gives to words which are files or folders.
-bool isFile(const std::string& word) {
-  for (const char* part : {"FILE", "OUT", "PART", "EXPECTED", "ACTUAL", "FOLDER"}) {
-    if (word.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
+constexpr std::string_view kFileWords[] = {"FILE", "OUT", "PART...", "EXPECTED", "ACTUAL"};
 
 /// What may follow the argument, word by word: "file", choices joined by strokes, or "-" where
 /// nothing can be offered. Three dots behind a word say that it may come again, a question mark
 /// that it may be left out.
 std::string offers(const ArgumentRow& row) {
-  std::string text, choices = row.action->choices;
-  std::replace(choices.begin(), choices.end(), ' ', '/');
+  std::string text, choices;
+  for (const std::string_view choice : row.action->choices) {
+    choices += (choices.empty() ? "" : "/") + std::string(choice);
+  }
   std::istringstream words(row.words);
   for (std::string word; words >> word; choices.clear()) {
     const bool mayRepeat = word.find("...") != std::string::npos;
-    const std::string offer = !choices.empty() ? choices : isFile(word) ? "file" : "-";
+    const std::string offer = !choices.empty()                      ? choices
+                              : WordList(kFileWords).contains(word) ? "file"
+                                                                    : "-";
     text += (text.empty() ? "" : " ") + offer + (mayRepeat ? "..." : word[0] == '[' ? "?" : "");
   }
   return text;
@@ -203,6 +210,7 @@ std::string shortHelp() {
   std::string text = kStart, group, line;
   for (const ArgumentRow& row : argumentTable()) {
     const std::string name = " -" + row.name;
+    // A line ends where a group does, and where the next name would pass the last column.
     const bool isFirst = group != row.group;
     if (isFirst || line.size() + name.size() > kWidth) {
       text += line + "\n";

@@ -1,5 +1,4 @@
 // The topics of `raytracer -help TOPIC`.
-#include "cli/help_topics.h"
 
 #include <algorithm>
 #include <set>
@@ -7,6 +6,7 @@
 
 #include "check.h"
 #include "cli/arguments.h"
+#include "cli/command_words.h"
 #include "cli/desk.h"
 #include "scene/scene_grammar.h"
 #include "scene/scene_parser.h"
@@ -15,9 +15,12 @@ using check::contains, check::contentOf, check::Desk;
 
 namespace {
 
+/// The topic that `-help NAME` prints.
+const HelpTopic* topicOf(const std::string& name) { return parseRequest({"-help", name}).topic; }
+
 /// The example of topic scene: the indented lines from its comment to the next empty line.
 std::string exampleScene() {
-  const std::string text = findTopic("scene")->text;
+  const std::string text = topicOf("scene")->text;
   const std::size_t start = text.find("  # A red ball");
   return text.substr(start, text.find("\n\n", start) + 1 - start);
 }
@@ -56,10 +59,11 @@ TEST("topics have one small word each as name, all different, and a short summar
     CHECK(std::all_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; }));
     CHECK(names.insert(name).second);
     CHECK(std::string(topic.summary).size() <= 60);
-    CHECK(findTopic(name) == &topic);
+    CHECK(topicOf(name) == &topic);
   }
-  CHECK(findTopic("") == nullptr);
-  CHECK(findTopic("scenes") == nullptr);
+  for (const std::string wrong : {"", "scenes"}) {
+    CHECK(contains(check::mistake({"-help", wrong}), "-help: expected scene, materials, "));
+  }
 }
 
 TEST("the example of topic scene has neither mistakes nor warnings, and is drawn") {
@@ -82,7 +86,7 @@ TEST("the example of topic scene has neither mistakes nor warnings, and is drawn
 }
 
 TEST("topic scene has every word of the scene language") {
-  const std::set<std::string> words = wordsOf(findTopic("scene")->text);
+  const std::set<std::string> words = wordsOf(topicOf("scene")->text);
   const auto check = [&](std::string_view word) {
     CHECK_EQUAL(words.count(std::string(word)) == 1 ? "" : std::string(word), "");
   };
@@ -104,7 +108,7 @@ TEST("-help prints each topic on standard output, with one dash or two") {
     }
   }
   CHECK_EQUAL(desk.run("-help -quiet").output, fullHelp());
-  CHECK_EQUAL(desk.run("-quiet -help grid -threads 2").output, findTopic("grid")->text);
+  CHECK_EQUAL(desk.run("-quiet -help grid -threads 2").output, topicOf("grid")->text);
 }
 
 TEST("an unknown topic is wrong usage that lists the topics and names the nearest") {

@@ -119,7 +119,7 @@ TEST("every argument of the table is read under each name with one dash or two")
 
 TEST("every argument that misses its last word is a mistake that names it") {
   for (const ArgumentRow& row : argumentTable()) {
-    if (leastWords(row) == 0) continue;
+    if (row.leastWords == 0) continue;
     Words words = sampleWords(row);
     words.insert(words.begin(), std::string("-") + row.name);
     words.pop_back();
