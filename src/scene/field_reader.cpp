@@ -1,9 +1,8 @@
-// Reading blocks by the tables of scene_grammar.h, and going on after a mistake.
+// Reading the blocks and values of a scene file by the tables of scene_grammar.h.
 //
-// A field is found by its name: mostly it is the next one of the table, so that one is tried first.
-// Its value is read by the type of the place where it goes; most are plain numbers, which are tried
-// at a stretch before any word is cut. Only when the block has ended are missing fields and ranges
-// looked at: of a field that is given twice the last value counts.
+// The fields of a block are found by their names. Their values are read by their kinds; most are
+// plain numbers, which are tried at a stretch before any word is cut. Only when the block has ended
+// are missing fields and ranges looked at: of a field that is given twice the last value counts.
 #include "scene/field_reader.h"
 
 #include <algorithm>
@@ -16,45 +15,23 @@ namespace {
 
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
-bool isOlderForm(std::string_view word, std::string_view name) {
-  if (isCapital(name[0])) return false;
-  std::size_t i = 0;
-  for (const char c : name) {
-    if (isCapital(c) && (i == word.size() || word[i++] != '_')) return false;
-    if (i == word.size() || word[i++] != (isCapital(c) ? char(c - 'A' + 'a') : c)) return false;
-  }
-  return i == word.size();
-}
-
-/// True when `word` is `name`, or `name` as the course's older scenes write it: num_objects for
-/// numObjects, which is longer, as each capital gives two letters. Names that begin with a capital
-/// have only one form.
-bool isWord(std::string_view word, std::string_view name) {
-  return word == name || (word.size() > name.size() && isOlderForm(word, name));
-}
-
-bool isBlockWord(std::string_view word) {
-  for (const WordList list : {WordList(kSectionWords), WordList(kLightWords), WordList(kGroupWords),
-                              WordList(kTransformWords)}) {
-    if (list.contains(word)) return true;
-  }
-  return false;
-}
-
-/// True for every word of the language.
-bool isKnownWord(std::string_view word) {
-  return isBlockWord(word) ||
-         std::any_of(kFieldWords.begin(), kFieldWords.end(),
-                     [&](std::string_view name) { return isWord(word, name); });
-}
-
 /// The names of all fields.
 std::vector<std::string_view> namesOf(FieldLists lists) {
   std::vector<std::string_view> names;
-  for (const FieldList& list : lists) {
-    for (std::size_t i = 0; i < list.size; ++i) names.push_back(list.first[i].name);
+  for (Fields* fields : lists) {
+    for (const Value& value : *fields) names.push_back(value.field->name);
   }
   return names;
+}
+
+/// The value of the field that `word` names; null where there is none.
+Value* findValue(std::string_view word, FieldLists lists) {
+  for (Fields* fields : lists) {
+    for (Value& value : *fields) {
+      if (isWord(word, value.field->name)) return &value;
+    }
+  }
+  return nullptr;
 }
 
 /// True for MaterialIndex where a field is called materialIndex.
@@ -65,157 +42,69 @@ bool isCapitalised(std::string_view word, FieldLists lists) {
   });
 }
 
-/// Where the value of a field stands; null where none was given.
-const char* givenAt(FieldPlace place) {
-  return std::visit([](const auto* given) { return given->at; }, place);
-}
-
-/// `vector` times the power of two that brings its largest component into [1/2, 1): the same
-/// direction exactly, and its squares neither overflow nor vanish.
-Vec3d rescaled(const Vec3d& vector) {
+/// Brings the largest component into [1/2, 1) by a power of two: the direction stays exactly the
+/// same, and its squares neither overflow nor vanish.
+void rescale(Value& vector) {
   int exponent = 0;
-  std::frexp(maxAbs(vector), &exponent);
-  return {std::ldexp(vector.x(), -exponent), std::ldexp(vector.y(), -exponent),
-          std::ldexp(vector.z(), -exponent)};
+  std::frexp(maxAbs(vector.vector()), &exponent);
+  for (double& number : vector.numbers) number = std::ldexp(number, -exponent);
 }
 
 }  // namespace
 
-FieldReader::FieldReader(const SourceText& text, MistakeLog& log)
-    : text_(text), log_(log), tokenizer_(text.bytes()), lastEnd_(text.bytes().data()) {
-  word_ = tokenizer_.next();
-}
-
-bool FieldReader::isAtBlock() const { return isBlockWord(word_); }
-
-void FieldReader::advance() {
-  if (word_.empty()) return;
-  lastEnd_ = word_.data() + word_.size();
-  word_ = tokenizer_.next();
-}
-
-// Mistakes.
-
-void FieldReader::report(const char* place, const std::string& message) {
-  ++mistakeCount_;
-  if (isQuiet_ || place == lastMistakeAt_) return;
-  lastMistakeAt_ = place;
-  log_.add(placeOf(place), InputError(text_.name(), text_.lineAt(place), message));
-}
-
-std::string FieldReader::found() const {
-  return word_.empty() ? "the end of the file" : quoted(word_);
-}
-
-std::string FieldReader::quotedAt(const char* place) const {
-  return quoted(Tokenizer(text_.bytes().substr(placeOf(place))).next());
-}
-
-void FieldReader::reportExpected(const std::string& expected) {
-  report(at(), "expected " + expected + ", found " + found());
-}
-
-void FieldReader::reportFound(const char* place, const std::string& expected) {
-  report(place, "expected " + expected + ", found " + quotedAt(place));
-}
-
-// Blocks.
-
-bool FieldReader::openBlock(std::string_view owner) {
-  if (word_ == "{") {
-    advance();
-    return true;
+bool isWord(std::string_view word, std::string_view name) {
+  if (word.size() <= name.size() || isCapital(name[0])) return word == name;
+  std::string olderForm;
+  for (const char c : name) {
+    if (isCapital(c)) olderForm += '_';
+    olderForm += isCapital(c) ? char(c - 'A' + 'a') : c;
   }
-  reportExpected("'{' after " + std::string(owner));
-  return !atEnd() && word_ != "}" && !isAtBlock();
+  return word == olderForm;
 }
 
-void FieldReader::closeBlock(std::string_view owner) {
-  if (word_ != "}") reportExpected("'}' at the end of " + std::string(owner));
-  while (!atEnd() && word_ != "}" && !isAtBlock()) {
-    word_ == "{" ? skipBlock() : advance();
+Fields::Fields(std::string_view block) {
+  const Field* row = std::begin(kFields);
+  while (row->block != block) ++row;
+  for (; row != std::end(kFields) && row->block == block; ++row) {
+    values_[count_].field = row;
+    values_[count_++].numbers = row->defaults;
   }
-  if (word_ == "}") advance();
 }
 
-void FieldReader::skipBlock() {
-  std::size_t depth = 0;
-  do {
-    depth += word_ == "{";
-    depth -= word_ == "}";
-    advance();
-  } while (depth > 0 && !atEnd());
-}
-
-void FieldReader::skipWordAndBlock() {
-  advance();
-  if (word_ == "{") skipBlock();
-}
-
-bool FieldReader::skipUnknown(std::string_view owner, WordList allowed) {
-  const std::string where = " in " + std::string(owner);
-  const std::string_view meant = nearestWord(word_, allowed);
-  if (isNumber(word_)) {
-    report(at(), "a number too many" + where + ": expected a word or '}', found " + found());
-  } else if (!meant.empty()) {
-    report(at(), "unknown word " + found() + where + "; did you mean " + quoted(meant) + "?");
-  } else {
-    report(at(), "unknown word " + found() + where + "; expected " + listed(allowed));
-  }
-  if (word_ != "{") advance();
-  while (!atEnd() && word_ != "}" && !isKnownWord(word_)) {
-    if (word_ == "{") {
-      skipBlock();
-      return true;
-    }
-    advance();
-  }
-  return false;
+const Value& Fields::operator[](std::string_view name) const {
+  const Value* value = values_.data();
+  while (value->field->name != name) ++value;
+  return *value;
 }
 
 // Values.
 
+bool FieldReader::readNumbers(std::string_view what, double* values, std::size_t count,
+                              bool areSingle) {
+  bool isGood = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (readNumber(values[i], areSingle)) continue;
+    isGood = false;
+    const char* const place = at();
+    reportBadNumber(what, "a number");
+    if (at() == place) break;
+  }
+  return isGood;
+}
+
 /// What stands behind the word, up to the text's end, is no part of the number, but lets it be read
 /// eight bytes at a time.
-template <class T>
-bool FieldReader::readNumber(std::string_view what, T& value) {
-  T found;
-  const char* stop = nullptr;
-  if constexpr (std::is_same_v<T, float>) {
-    if (!atEnd()) stop = scanFloat(word_.data(), tokenizer_.end(), found);
-  } else {
-    if (!atEnd()) stop = scanDouble(word_.data(), tokenizer_.end(), found);
-  }
-  if (atEnd() || stop != word_.data() + word_.size()) {
-    reportBadNumber(what, "a number");
-    return false;
-  }
-  value = found;
+bool FieldReader::readNumber(double& value, bool isSingle) {
+  const char* const start = word_.data();
+  double found = 0;
+  float single = 0;
+  const char* const stop = atEnd()    ? nullptr
+                           : isSingle ? scanFloat(start, tokenizer_.end(), single)
+                                      : scanDouble(start, tokenizer_.end(), found);
+  if (!stop || stop != start + word_.size()) return false;
+  value = isSingle ? double(single) : found;
   advance();
   return true;
-}
-template bool FieldReader::readNumber(std::string_view, double&);
-template bool FieldReader::readNumber(std::string_view, float&);
-
-bool FieldReader::readWholeNumber(std::string_view what, int& value) {
-  if (!readInt(word_, value)) {
-    reportBadNumber(what, "a whole number");
-    return false;
-  }
-  advance();
-  return true;
-}
-
-/// Reports the current word, which should be a number, and passes over it unless it plainly
-/// belongs to what comes next.
-void FieldReader::reportBadNumber(std::string_view what, const std::string& kind) {
-  const std::string range = isNumber(word_) && kind == "a number" ? " within range" : "";
-  reportExpected(kind + range + " for " + std::string(what));
-  if (word_ == "{") {
-    skipBlock();
-  } else if (!atEnd() && word_ != "}" && !isKnownWord(word_)) {
-    advance();
-  }
 }
 
 bool FieldReader::readPlainNumbers(double* values, std::size_t count) {
@@ -233,18 +122,26 @@ bool FieldReader::readPlainNumbers(double* values, std::size_t count) {
   return true;
 }
 
-template <class T>
-bool FieldReader::readVector(std::string_view what, Vec3<T>& value) {
-  bool isGood = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    const char* const before = at();
-    isGood &= readNumber(what, value[axis]);
-    if (at() == before) return false;
-  }
+bool FieldReader::readWholeNumber(std::string_view what, int& value) {
+  const bool isGood = readInt(word_, value);
+  isGood ? advance() : reportBadNumber(what, "a whole number");
   return isGood;
 }
 
-bool FieldReader::readName(std::string_view what, std::string_view& name) {
+bool FieldReader::readChoice(std::string_view what, WordList choices, std::size_t& index) {
+  const std::string_view* const chosen = std::find(choices.begin(), choices.end(), word_);
+  if (chosen != choices.end()) {
+    index = std::size_t(chosen - choices.begin());
+    advance();
+    return true;
+  }
+  const std::string_view meant = nearestWord(word_, choices);
+  report(at(), "expected " + listed(choices) + " for " + std::string(what) + ", found " + found() +
+                   (meant.empty() ? "" : "; did you mean " + quoted(meant) + "?"));
+  return false;
+}
+
+bool FieldReader::readFileName(std::string_view what, std::string_view& name) {
   if (atEnd() || word_ == "{" || word_ == "}") {
     reportExpected("a file name for " + std::string(what));
     return false;
@@ -254,46 +151,21 @@ bool FieldReader::readName(std::string_view what, std::string_view& name) {
   return true;
 }
 
-bool FieldReader::readChoice(std::string_view what, WordChoice& choice) {
-  const std::string_view* const chosen = std::find(choice.words.begin(), choice.words.end(), word_);
-  if (chosen != choice.words.end()) {
-    choice.index = std::size_t(chosen - choice.words.begin());
-    advance();
-    return true;
-  }
-  const std::string_view meant = nearestWord(word_, choice.words);
-  report(at(), "expected " + listed(choice.words) + " for " + std::string(what) + ", found " +
-                   found() + (meant.empty() ? "" : "; did you mean " + quoted(meant) + "?"));
-  return false;
-}
-
 // Fields.
 
-bool FieldReader::readFields(std::string_view owner, FieldLists lists) {
+bool FieldReader::readFields(std::string_view owner, FieldLists lists, const OwnReader& readOwn) {
   const std::size_t mistakesBefore = mistakeCount_;
   const char* const start = at();
   if (!openBlock(owner)) return false;
-  const FieldList* list = lists.begin();
-  std::size_t next = 0;  // mostly they stand in order
   while (word_ != "}") {
-    if (next == list->size || !isWord(word_, list->first[next].name)) {
-      for (list = lists.begin(); list != lists.end(); ++list) {
-        next = 0;
-        while (next < list->size && !isWord(word_, list->first[next].name)) ++next;
-        if (next < list->size) break;
-      }
-    }
-    if (list != lists.end()) {
-      readField(list->first[next++], list->block);
-      continue;
-    }
-    if (atEnd() || (isAtBlock() && !isCapitalised(word_, lists))) {
+    if (Value* const value = findValue(word_, lists)) {
+      readField(*value, readOwn);
+    } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, lists))) {
       closeBlock(owner);
       return false;
+    } else {
+      skipUnknown(owner, namesOf(lists));
     }
-    skipUnknown(owner, namesOf(lists));
-    list = lists.begin();
-    next = 0;
   }
   advance();
   if (mistakeCount_ == mistakesBefore) reportMissing(owner, start, lists);
@@ -301,100 +173,104 @@ bool FieldReader::readFields(std::string_view owner, FieldLists lists) {
 }
 
 void FieldReader::reportMissing(std::string_view owner, const char* start, FieldLists lists) {
-  for (const FieldList& list : lists) {
-    for (std::size_t i = 0; i < list.size; ++i) {
-      const Field& field = list.first[i];
-      if (!field.isRequired || givenAt(field.in(list.block))) continue;
-      report(start, "expected " + std::string(field.name) + " in " + std::string(owner) +
+  for (Fields* fields : lists) {
+    for (const Value& value : *fields) {
+      if (value.field->isOptional || value.at) continue;
+      report(start, "expected " + std::string(value.field->name) + " in " + std::string(owner) +
                         ", found none before its '}'");
     }
   }
 }
 
-/// Reads a field whose value is a number or three of them, written plainly; false otherwise.
-bool FieldReader::readPlainField(FieldPlace place) {
-  const char* const start = tokenizer_.place() + 1;
-  double numbers[3];
-  if (auto* const* number = std::get_if<Given<double>*>(&place)) {
-    if (!readPlainNumbers(numbers, 1)) return false;
-    **number = {numbers[0], start};
-  } else if (auto* const* vector = std::get_if<Given<Vec3d>*>(&place)) {
-    if (!readPlainNumbers(numbers, 3)) return false;
-    **vector = {{numbers[0], numbers[1], numbers[2]}, start};
-  } else {
-    return false;
+/// Reads a field from its name on.
+void FieldReader::readField(Value& value, const OwnReader& readOwn) {
+  const ValueKind kind = value.field->kind;
+  const char* start = tokenizer_.place() + 1;
+  const bool isPlain = (kind == ValueKind::number || kind == ValueKind::vector) &&
+                       readPlainNumbers(value.numbers.data(), kind == ValueKind::number ? 1 : 3);
+  if (!isPlain) {
+    advance();
+    start = at();
+    if (!readValue(value, readOwn)) start = nullptr;
   }
-  return true;
+  value.at = start;
 }
 
-void FieldReader::readField(const Field& field, void* block) {
-  const FieldPlace place = field.in(block);
-  if (readPlainField(place)) return;
-  advance();
-  const char* const start = at();
-  struct Reader {
-    FieldReader& in;
-    std::string_view name;
-    bool operator()(double& value) { return in.readNumber(name, value); }
-    bool operator()(float& value) { return in.readNumber(name, value); }
-    bool operator()(int& value) { return in.readWholeNumber(name, value); }
-    bool operator()(Vec3d& value) { return in.readVector(name, value); }
-    bool operator()(Vec3f& value) { return in.readVector(name, value); }
-    bool operator()(std::string_view& value) { return in.readName(name, value); }
-    bool operator()(WordChoice& choice) { return in.readChoice(name, choice); }
-    bool operator()(const ReadValue& read) { return read(); }
-  };
-  Reader reader{*this, field.name};
-  std::visit([&](auto* given) { given->at = reader(given->value) ? start : nullptr; }, place);
+bool FieldReader::readValue(Value& value, const OwnReader& readOwn) {
+  const std::string_view name = value.field->name;
+  double* const numbers = value.numbers.data();
+  switch (value.field->kind) {
+    case ValueKind::number:
+      return readNumbers(name, numbers, 1, false);
+    case ValueKind::single:
+      return readNumbers(name, numbers, 1, true);
+    case ValueKind::vector:
+      return readNumbers(name, numbers, 3, false);
+    case ValueKind::color:
+      return readNumbers(name, numbers, 3, true);
+    case ValueKind::fileName:
+      return readFileName(name, value.name);
+    case ValueKind::ownReader:
+      return readOwn(name);
+    case ValueKind::whole:
+      break;
+  }
+  int whole = value.whole();
+  const bool isGood = readWholeNumber(name, whole);
+  *numbers = whole;
+  return isGood;
 }
 
 // Ranges.
 
-bool FieldReader::checkRanges(const FieldList& fields) {
+bool FieldReader::checkRanges(Fields& fields) {
   bool isGood = true;
-  for (std::size_t i = 0; i < fields.size; ++i) {
-    const Field& field = fields.first[i];
-    if (field.range != Range::any) isGood &= checkRange(field, field.in(fields.block));
-  }
+  for (Value& value : fields) isGood &= checkRange(value);
   return isGood;
 }
 
 /// A field without a good value passes: that mistake is reported already.
-bool FieldReader::checkRange(const Field& field, FieldPlace place) {
-  const char* const start = givenAt(place);
-  if (!start) return true;
-  const std::string name(field.name);
-  if (auto* const* color = std::get_if<Given<Vec3f>*>(&place)) {
-    const Vec3f& value = (*color)->value;
-    if (field.range == Range::reflectance) return checkReflectance(field.name, **color);
-    if (value.r() > 1 || value.g() > 1 || value.b() > 1) brightColors_.emplace_back(start, name);
-    return true;
+bool FieldReader::checkRange(Value& value) {
+  if (!value.at) return true;
+  const std::string name(value.field->name);
+  const double number = value.numbers[0];
+  std::string expected;
+  switch (value.field->range) {
+    case Range::any:
+      break;
+    case Range::color:
+      if (std::max({number, value.numbers[1], value.numbers[2]}) > 1) {
+        brightColors_.emplace_back(value.at, name);
+      }
+      break;
+    case Range::reflectance:
+      return checkReflectance(value);
+    case Range::direction:
+      if (value.vector() == Vec3d()) {
+        report(value.at, "expected a " + name + " that is not zero, found 0 0 0");
+        return false;
+      }
+      rescale(value);
+      break;
+    case Range::atLeastZero:
+      if (number < 0) expected = name + " of at least 0";
+      break;
+    case Range::angle:
+      if (number >= 180) expected = "an angle below 180 degrees";
+      [[fallthrough]];
+    case Range::aboveZero:
+      if (number <= 0) expected = name + " above 0";
   }
-  if (auto* const* direction = std::get_if<Given<Vec3d>*>(&place)) {
-    Vec3d& value = (*direction)->value;
-    const bool isZero = value == Vec3d();
-    if (isZero) report(start, "expected a " + name + " that is not zero, found 0 0 0");
-    if (!isZero) value = rescaled(value);
-    return !isZero;
-  }
-  auto* const* single = std::get_if<Given<float>*>(&place);
-  const double value = single ? double((*single)->value) : std::get<Given<double>*>(place)->value;
-  const bool mayBeZero = field.range == Range::atLeastZero;
-  if (!(mayBeZero ? value >= 0 : value > 0)) {
-    reportFound(start, name + (mayBeZero ? " of at least 0" : " above 0"));
-    return false;
-  }
-  if (field.range != Range::angle || value < 180) return true;
-  reportFound(start, "an angle below 180 degrees");
-  return false;
+  if (!expected.empty()) reportFound(value.at, expected);
+  return expected.empty();
 }
 
-bool FieldReader::checkReflectance(std::string_view name, const Given<Vec3f>& color) {
-  Tokenizer words(text_.bytes().substr(placeOf(color.at)));
-  for (int axis = 0; axis < 3; ++axis) {
+bool FieldReader::checkReflectance(const Value& value) {
+  Tokenizer words(text_.bytes().substr(std::size_t(value.at - text_.bytes().data())));
+  for (const double component : value.numbers) {
     const char* const start = words.next().data();
-    if (color.value[axis] >= 0 && color.value[axis] <= 1) continue;
-    reportFound(start, std::string(name) + " from 0 to 1 in each component");
+    if (component >= 0 && component <= 1) continue;
+    reportFound(start, std::string(value.field->name) + " from 0 to 1 in each component");
     return false;
   }
   return true;
@@ -407,25 +283,25 @@ void FieldReader::readCounted(const CountedBlock& block, const std::function<voi
   if (!openBlock(block.owner)) return;
   int expected = 0, found = 0;
   bool isSure = readCount(block, expected);
-  const std::string says =
-      std::string(block.countName) + " says " + std::to_string(expected) + ", but ";
   const std::string owner(block.owner);
+  const std::string says =
+      std::string(block.countName) + " says " + std::to_string(expected) + ", but " + owner;
   while (word_ != "}") {
     if (block.items.contains(word_)) {
       if (isSure && found == expected) {
-        report(at(), says + owner + " goes on: expected '}', found " + quoted(word_));
+        report(at(), says + " goes on: expected '}', found " + quoted(word_));
         isSure = false;
       }
       readItem();
       ++found;
     } else if (atEnd() || WordList(kSectionWords).contains(word_)) {
       return closeBlock(block.owner);
-    } else if (!readOther()) {
+    } else if (!readOther || !readOther()) {
       found += skipUnknown(block.owner, block.allowed);
     }
   }
   if (isSure && found < expected) {
-    report(at(), says + owner + " ends after " + std::to_string(found) + ": expected " +
+    report(at(), says + " ends after " + std::to_string(found) + ": expected " +
                      std::to_string(expected - found) + " more, found '}'");
   }
   advance();

@@ -6,6 +6,7 @@
 // to the block's }, or to a word that plainly begins something else. Every loop over words either
 // consumes one or ends.
 #pragma once
+#include <array>
 #include <functional>
 #include <initializer_list>
 #include <string>
@@ -19,18 +20,40 @@
 #include "scene/source_text.h"
 #include "scene/wording.h"
 
-/// The table of a block's fields and the struct that their values go to. Nothing is owned.
-struct FieldList {
-  template <class Block>
-  FieldList(Block& values)
-      : first(Block::kFields), size(std::size(Block::kFields)), block(&values) {}
+/// The value of a field, at first its default. What it is follows from the field's kind: the caller
+/// asks for that. Floats and whole numbers are kept as doubles, which hold each of them exactly.
+struct Value {
+  double number() const { return numbers[0]; }
+  float single() const { return float(numbers[0]); }
+  int whole() const { return int(numbers[0]); }
+  Vec3d vector() const { return {numbers[0], numbers[1], numbers[2]}; }
+  Vec3f color() const { return Vec3f(vector()); }
 
-  const Field* first;
-  std::size_t size;
-  void* block;
+  const Field* field = nullptr;
+  std::array<double, 3> numbers{};
+  std::string_view name{};   ///< of a file, a view of the text
+  const char* at = nullptr;  ///< where it stands; null unless a good one was given
 };
-/// All fields of a block, of one struct or more, in the order in which messages list them.
-using FieldLists = std::initializer_list<FieldList>;
+
+/// The values of one block's fields.
+class Fields {
+ public:
+  /// The defaults of the fields that kFields lists for `block`, which are one or more.
+  explicit Fields(std::string_view block);
+
+  /// The value of that name, which must be one of the block's.
+  const Value& operator[](std::string_view name) const;
+
+  Value* begin() { return values_.data(); }
+  Value* end() { return values_.data() + count_; }
+
+ private:
+  std::array<Value, kMostFields> values_;
+  std::size_t count_ = 0;
+};
+/// What a block is read into: its own fields and those that it shares with others, in the order in
+/// which messages list them. Not owned.
+using FieldLists = std::initializer_list<Fields*>;
 
 /// A block that begins with the count of what it holds.
 struct CountedBlock {
@@ -44,6 +67,8 @@ class FieldReader {
  public:
   /// Something noted at a place of the text.
   using Note = std::pair<const char*, std::string>;
+  /// Reads the value of such a field of ValueKind::ownReader; false after a mistake.
+  using OwnReader = std::function<bool(std::string_view name)>;
 
   /// Both must outlive the reader.
   FieldReader(const SourceText& text, MistakeLog& log);
@@ -53,12 +78,12 @@ class FieldReader {
   /// Where it stands; at the end of the input, where the last word ends.
   const char* at() const { return word_.empty() ? lastEnd_ : word_.data(); }
   bool atEnd() const { return word_.empty(); }
-  /// True where the current word begins a block or a setting, so that it is part of no other one.
+  /// True where the current word begins a block or a setting, so that it belongs to no other one.
   bool isAtBlock() const;
   void advance();
-
   const SourceText& text() const { return text_; }
-  std::size_t placeOf(const char* at) const { return std::size_t(at - text_.bytes().data()); }
+
+  // Mistakes, and the way on behind them: recovery.cpp.
 
   /// Reports a mistake at a place of the input: at most one for each place, as a word that one
   /// block cannot make sense of is of no use to the blocks around it either.
@@ -78,51 +103,50 @@ class FieldReader {
   /// Takes the `}` of a block, or reports what stands there and passes over it as far as it does
   /// not begin something else.
   void closeBlock(std::string_view owner);
-  /// Passes over a whole block, from its `{`.
-  void skipBlock();
   /// Passes over the current word and over a block in braces behind it.
   void skipWordAndBlock();
   /// Reports a word that `owner` does not know, and passes over it and what belongs to it. True
   /// where that was a whole block in braces.
   bool skipUnknown(std::string_view owner, WordList allowed);
 
-  /// Read one value for `what` and report what is wrong with it. False after a mistake.
-  template <class T>
-  bool readNumber(std::string_view what, T& value);
-  bool readWholeNumber(std::string_view what, int& value);
+  // Values: field_reader.cpp. Each function reports what is wrong and returns false then.
+
+  /// Reads `count` numbers from the current word on, as doubles or rounded to floats.
+  bool readNumbers(std::string_view what, double* values, std::size_t count, bool areSingle);
   /// Reads `count` numbers behind the current word, with one blank before each, and goes to the
   /// word behind them. False, and nothing has changed, where they are written in any other way, or
   /// wrongly. (Cutting numbers into words first takes 1.6 times the instructions.)
   bool readPlainNumbers(double* values, std::size_t count);
+  bool readWholeNumber(std::string_view what, int& value);
+  /// Reads one of `choices` and tells which.
+  bool readChoice(std::string_view what, WordList choices, std::size_t& index);
 
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.
-  /// False where anything was reported, a required field that is missing included.
-  bool readFields(std::string_view owner, FieldLists lists);
-  /// Looks at the ranges of the values that were given, in the table's order; reports those that
-  /// are out of theirs and returns false then.
-  bool checkRanges(const FieldList& fields);
+  /// A required field that is missing is a mistake too.
+  bool readFields(std::string_view owner, FieldLists lists, const OwnReader& readOwn = {});
+  /// Looks at the ranges of the values that were given, in the table's order.
+  bool checkRanges(Fields& fields);
   /// The colours with a component above 1 that checkRanges has seen: their places and names.
   const std::vector<Note>& brightColors() const { return brightColors_; }
 
   /// Reads `{ countName N ... }`. `readItem` reads one counted item, whose name is the current
-  /// word; `readOther` reads something that is not counted and returns true, or returns false where
-  /// it is unknown. That there are as many as it says is checked where the list goes on or ends;
-  /// the count is only compared with, so that a huge one costs nothing.
+  /// word; `readOther`, where given, reads something that is not counted and returns true, or
+  /// returns false where it is unknown. That there are as many as it says is checked where the list
+  /// goes on or ends; the count is only compared with, so that a huge one costs nothing.
   void readCounted(const CountedBlock& block, const std::function<void()>& readItem,
-                   const std::function<bool()>& readOther);
+                   const std::function<bool()>& readOther = {});
 
  private:
   std::string found() const;
+  void skipBlock();
   void reportBadNumber(std::string_view what, const std::string& kind);
-  template <class T>
-  bool readVector(std::string_view what, Vec3<T>& value);
-  bool readName(std::string_view what, std::string_view& name);
-  bool readChoice(std::string_view what, WordChoice& choice);
-  void readField(const Field& field, void* block);
-  bool readPlainField(FieldPlace place);
+  bool readNumber(double& value, bool isSingle);
+  bool readFileName(std::string_view what, std::string_view& name);
+  void readField(Value& value, const OwnReader& readOwn);
+  bool readValue(Value& value, const OwnReader& readOwn);
   void reportMissing(std::string_view owner, const char* start, FieldLists lists);
-  bool checkRange(const Field& field, FieldPlace place);
-  bool checkReflectance(std::string_view name, const Given<Vec3f>& color);
+  bool checkRange(Value& value);
+  bool checkReflectance(const Value& value);
   bool readCount(const CountedBlock& block, int& count);
 
   const SourceText& text_;
@@ -135,3 +159,7 @@ class FieldReader {
   std::size_t mistakeCount_ = 0;
   std::vector<Note> brightColors_;
 };
+
+/// True when `word` is `name`, or `name` as the course's older scenes write it: num_objects for
+/// numObjects. Names that begin with a capital have only one form.
+bool isWord(std::string_view word, std::string_view name);

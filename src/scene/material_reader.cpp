@@ -20,8 +20,7 @@ void MaterialReader::readSection() {
     add();
     ++notes_.listedMaterials;
   };
-  in_.readCounted({"Materials", "numMaterials", kMaterialWords, kMaterialWords}, readItem,
-                  [] { return false; });
+  in_.readCounted({"Materials", "numMaterials", kMaterialWords, kMaterialWords}, readItem);
   if (in_.mistakeCount() > mistakesBefore) areIndicesSure_ = false;
 }
 
@@ -70,83 +69,65 @@ const Material* MaterialReader::materialFor(std::string_view owner, const char* 
 std::unique_ptr<Material> MaterialReader::read() {
   const std::string_view owner = in_.word();
   in_.advance();
-  MaterialFields common;
-  std::unique_ptr<Material> material;
-  if (owner == "CookTorranceMaterial") {
-    material = readCookTorrance(owner, common);
-  } else if (owner == "WardMaterial") {
-    material = readWard(owner, common);
-  } else if (owner == "OrenNayarMaterial") {
-    material = readOrenNayar(owner, common);
-  } else if (owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial") {
-    material = readPhong(owner, common);
-  } else {
-    return readTexture(owner);
-  }
-  material->setPriority(common.priority.value);
+  if (kTextureWords.contains(owner)) return readTexture(owner);
+  const bool isPhong =
+      owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";
+  Fields own(isPhong ? "PhongMaterial" : owner), common("every material");
+  std::size_t distribution = 0;
+  in_.readFields(owner, {&own, &common}, [&](std::string_view name) {
+    return in_.readChoice(name, kDistributionWords, distribution);
+  });
+  in_.checkRanges(common);
+  in_.checkRanges(own);
+  std::unique_ptr<Material> material = make(owner, own, common, distribution);
+  material->setPriority(common["priority"].whole());
   return material;
 }
 
-void MaterialReader::readBlock(std::string_view owner, const FieldList& own,
-                               const FieldList& common) {
-  in_.readFields(owner, {own, common});
-  in_.checkRanges(common);
-  in_.checkRanges(own);
-}
-
-std::unique_ptr<Material> MaterialReader::readPhong(std::string_view owner,
-                                                    MaterialFields& common) {
-  PhongFields own;
-  readBlock(owner, own, common);
-  const Vec3f& specular = own.specularColor.value;
-  const float exponent = own.exponent.value;
-  if (own.exponent.at && exponent < 1 && anyPositive(specular)) {
-    notes_.lowExponents.emplace_back(own.exponent.at, in_.quotedAt(own.exponent.at));
+std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fields& own,
+                                               const Fields& common, std::size_t distribution) {
+  const Vec3f diffuse = common["diffuseColor"].color();
+  const Vec3f transparent = common["transparentColor"].color();
+  const Vec3f reflective = common["reflectiveColor"].color();
+  const float index = common["indexOfRefraction"].single();
+  if (owner == "OrenNayarMaterial") {
+    return std::make_unique<OrenNayarMaterial>(diffuse, own["roughness"].single(), transparent,
+                                               reflective, index);
+  }
+  const Vec3f specular = own["specularColor"].color();
+  if (owner == "WardMaterial") {
+    const WardMaterial::Grain grain = {own["roughnessX"].single(), own["roughnessY"].single(),
+                                       own["tangent"].vector()};
+    return std::make_unique<WardMaterial>(diffuse, specular, grain, transparent, reflective, index);
+  }
+  if (owner == "CookTorranceMaterial") {
+    using Distribution = CookTorranceMaterial::Distribution;
+    return std::make_unique<CookTorranceMaterial>(
+        diffuse, fresnelOf(own), own["roughness"].single(),
+        distribution == 0 ? Distribution::ggx : Distribution::beckmann, transparent, reflective,
+        index);
+  }
+  const float exponent = own["exponent"].single();
+  const char* const exponentAt = own["exponent"].at;
+  if (exponentAt && exponent < 1 && anyPositive(specular)) {
+    notes_.lowExponents.emplace_back(exponentAt, in_.quotedAt(exponentAt));
   }
   if (owner == "BlinnPhongMaterial") {
-    return std::make_unique<BlinnPhongMaterial>(
-        common.diffuseColor.value, specular, exponent, common.transparentColor.value,
-        common.reflectiveColor.value, common.indexOfRefraction.value);
+    return std::make_unique<BlinnPhongMaterial>(diffuse, specular, exponent, transparent,
+                                                reflective, index);
   }
-  return std::make_unique<PhongMaterial>(
-      common.diffuseColor.value, specular, exponent, common.transparentColor.value,
-      common.reflectiveColor.value, common.indexOfRefraction.value);
+  return std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
+                                         index);
 }
 
-std::unique_ptr<Material> MaterialReader::readCookTorrance(std::string_view owner,
-                                                           MaterialFields& common) {
-  using Distribution = CookTorranceMaterial::Distribution;
-  CookTorranceFields own;
-  readBlock(owner, own, common);
-  if (own.index.at && own.specularColor.at) {
-    in_.report(std::max(own.index.at, own.specularColor.at),
+/// What a CookTorranceMaterial mirrors is given by one of two fields.
+Fresnel MaterialReader::fresnelOf(const Fields& own) {
+  const Value &index = own["index"], &color = own["specularColor"];
+  if (index.at && color.at) {
+    in_.report(std::max(index.at, color.at),
                "expected index or specularColor in CookTorranceMaterial, found both");
   }
-  return std::make_unique<CookTorranceMaterial>(
-      common.diffuseColor.value,
-      own.specularColor.at ? Fresnel::ofColor(own.specularColor.value)
-                           : Fresnel::ofIndex(own.index.value),
-      own.roughness.value,
-      own.distribution.value.index == 0 ? Distribution::ggx : Distribution::beckmann,
-      common.transparentColor.value, common.reflectiveColor.value, common.indexOfRefraction.value);
-}
-
-std::unique_ptr<Material> MaterialReader::readWard(std::string_view owner, MaterialFields& common) {
-  WardFields own;
-  readBlock(owner, own, common);
-  const WardMaterial::Grain grain = {own.roughnessX.value, own.roughnessY.value, own.tangent.value};
-  return std::make_unique<WardMaterial>(common.diffuseColor.value, own.specularColor.value, grain,
-                                        common.transparentColor.value, common.reflectiveColor.value,
-                                        common.indexOfRefraction.value);
-}
-
-std::unique_ptr<Material> MaterialReader::readOrenNayar(std::string_view owner,
-                                                        MaterialFields& common) {
-  OrenNayarFields own;
-  readBlock(owner, own, common);
-  return std::make_unique<OrenNayarMaterial>(
-      common.diffuseColor.value, own.roughness.value, common.transparentColor.value,
-      common.reflectiveColor.value, common.indexOfRefraction.value);
+  return color.at ? Fresnel::ofColor(color.color()) : Fresnel::ofIndex(index.single());
 }
 
 // Solid textures: where they lie, what they are mixed from, and their numbers.
@@ -166,34 +147,31 @@ std::unique_ptr<Material> plainMaterial() {
 
 }  // namespace
 
-/// The first component is that of the first materialIndex.
+/// Reads a texture from behind its name. The first component is that of the first materialIndex.
 std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
   const char* const start = in_.at();
+  const bool isWave = owner == "Marble" || owner == "Wood";
+  Fields common("every texture"), own(isWave ? "every wave" : owner);
   TextureWords words;
-  TextureFields fields;
-  CheckerboardFields checkerboard;
-  NoiseFields noise;
-  WaveFields wave;
-  fields.transform.value = [&] { return readTextureTransform(owner, words); };
-  fields.materialIndex.value = [&] { return readTextureIndex(owner, words); };
-  noise.octaves.value = [&] { return readOctaves(words.octaves); };
-  bool isGood = owner == "Checkerboard" ? in_.readFields(owner, {fields, checkerboard})
-                : owner == "Noise"      ? in_.readFields(owner, {fields, noise})
-                                        : in_.readFields(owner, {fields, noise, wave});
-  if (isGood && words.parts.size() < 2) {
+  bool isGood = in_.readFields(owner, {&common, &own}, [&](std::string_view name) {
+    if (name == "octaves") return readOctaves(words.octaves);
+    return name == "Transform" ? readTextureTransform(owner, words)
+                               : readTextureIndex(owner, words);
+  });
+  if (isGood && words.components.size() < 2) {
     in_.report(start, "expected two materialIndex in " + std::string(owner) + ", found only one");
     isGood = false;
   }
-  isGood &= in_.checkRanges(checkerboard);
+  isGood &= in_.checkRanges(own);
   if (!isGood || !words.areIndicesGood) return plainMaterial();
 
   const Matrix& matrix = words.toTexture;
-  const SolidTexture::Component &first = words.parts[0], &second = words.parts[1];
-  const double frequency = wave.frequency.value, amplitude = wave.amplitude.value;
+  const SolidTexture::Component &first = words.components[0], &second = words.components[1];
   if (owner == "Checkerboard") {
-    return std::make_unique<Checkerboard>(matrix, first, second, checkerboard.size.value);
+    return std::make_unique<Checkerboard>(matrix, first, second, own["size"].number());
   }
   if (owner == "Noise") return std::make_unique<Noise>(matrix, first, second, words.octaves);
+  const double frequency = own["frequency"].number(), amplitude = own["amplitude"].number();
   if (owner == "Marble") {
     return std::make_unique<Marble>(matrix, first, second, words.octaves, frequency, amplitude);
   }
@@ -210,9 +188,9 @@ bool MaterialReader::readTextureTransform(std::string_view owner, TextureWords& 
   const bool isFirst = !words.hasTransform;
   words.hasTransform = true;
   const bool isOpen = in_.openBlock("Transform");
-  if (!isOpen && !WordList(kStepWords).contains(in_.word())) return false;
+  if (!isOpen && !kStepWords.contains(in_.word())) return false;
   bool isGood = readSteps(in_, kStepWords, false, words.toTexture);
-  while (WordList(kObjectWords).contains(in_.word())) {
+  while (kObjectWords.contains(in_.word())) {
     in_.report(in_.at(), "expected only steps in the Transform of " + std::string(owner) + " (" +
                              listed(kStepWords) + "), found " + quoted(in_.word()));
     in_.skipWordAndBlock();
@@ -231,14 +209,14 @@ bool MaterialReader::readTextureIndex(std::string_view owner, TextureWords& word
   const char* const at = in_.at();
   int index = 0;
   if (!in_.readWholeNumber("materialIndex", index)) return false;
-  if (words.parts.size() == 2) {
+  if (words.components.size() == 2) {
     in_.report(at, "expected two materialIndex in " + std::string(owner) + ", found a third, " +
                        in_.quotedAt(at));
     return false;
   }
   if (index >= 0 && std::size_t(index) < notes_.listedMaterials) {
     const auto place = std::size_t(index);
-    words.parts.push_back({materials_[place].get(), place});
+    words.components.push_back({materials_[place].get(), place});
     notes_.materials.back().components.push_back(place);
     return true;
   }
@@ -248,7 +226,7 @@ bool MaterialReader::readTextureIndex(std::string_view owner, TextureWords& word
                        std::string(owner) + ", counted from 0, found " + in_.quotedAt(at));
     return false;
   }
-  words.parts.push_back({nullptr, 0});
+  words.components.push_back({nullptr, 0});
   words.areIndicesGood = false;
   return true;
 }

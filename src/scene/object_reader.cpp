@@ -1,4 +1,5 @@
 // Objects of a scene file: primitives, meshes, Groups, and Transforms with their steps.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -10,75 +11,60 @@
 #include "scene/scene_reader.h"
 
 const Object3D* ObjectReader::read() {
-  if (!places_) return readKind(in_.word());
-  places_->begin(in_.word(), in_.at());
-  const Object3D* const object = readKind(in_.word());
-  places_->end(object);
+  const std::string_view word = in_.word();
+  if (places_) places_->begin(word, in_.at());
+  const Object3D* const object = word == "Group"       ? readGroup()
+                                 : word == "Transform" ? readTransform()
+                                                       : readShape();
+  if (places_) places_->end(object);
   return object;
 }
 
-const Object3D* ObjectReader::readKind(std::string_view word) {
-  if (word == "Sphere") return readSphere();
-  if (word == "Triangle") return readTriangle();
-  if (word == "Transform") return readTransform();
-  if (word == "TriangleMesh") return readTriangleMesh();
-  if (word == "Plane") return readPlane();
-  return readGroup();
-}
-
-const Object3D* ObjectReader::keep(std::unique_ptr<Object3D> object, const char* at) {
-  const Object3D* const borrowed = object.get();
-  if (at) notes_.objectStarts.emplace_back(borrowed, at);
+const Object3D* ObjectReader::keep(std::unique_ptr<Object3D> object) {
   objects_.push_back(std::move(object));
-  return borrowed;
+  return objects_.back().get();
 }
 
-// Primitives: the material that holds, the fields, their ranges, and the object.
+// Shapes: the material that holds, the fields, their ranges, and the object.
 
-const Object3D* ObjectReader::readSphere() {
+const Object3D* ObjectReader::readShape() {
+  const std::string_view owner = in_.word();
   const char* const at = in_.at();
-  const Material* const material = materials_.materialFor("Sphere", at);
+  const Material* const material = materials_.materialFor(owner, at);
   in_.advance();
-  SphereFields fields;
-  const bool isGood = in_.readFields("Sphere", {fields});
-  if (!in_.checkRanges(fields) || !isGood || !material) return nullptr;
-  return keep(std::make_unique<Sphere>(fields.center.value, fields.radius.value, material), at);
+  Fields fields(owner);
+  const bool isRead = in_.readFields(owner, {&fields});
+  if (!in_.checkRanges(fields) || !isRead) return nullptr;
+  std::unique_ptr<Object3D> shape = makeShape(owner, at, fields, material);
+  if (!shape) return nullptr;
+  notes_.objectStarts.emplace_back(shape.get(), at);
+  return keep(std::move(shape));
 }
 
-const Object3D* ObjectReader::readPlane() {
-  const Material* const material = materials_.materialFor("Plane", in_.at());
-  in_.advance();
-  PlaneFields fields;
-  const bool isGood = in_.readFields("Plane", {fields});
-  if (!in_.checkRanges(fields) || !isGood || !material) return nullptr;
-  return keep(std::make_unique<Plane>(fields.normal.value, fields.offset.value, material));
-}
-
-const Object3D* ObjectReader::readTriangle() {
-  const char* const at = in_.at();
-  const Material* const material = materials_.materialFor("Triangle", at);
-  in_.advance();
-  TriangleFields fields;
-  if (!in_.readFields("Triangle", {fields}) || !material) return nullptr;
-  auto triangle = std::make_unique<Triangle>(fields.vertex0.value, fields.vertex1.value,
-                                             fields.vertex2.value, material);
+/// Null where there is no material, or no mesh.
+std::unique_ptr<Object3D> ObjectReader::makeShape(std::string_view owner, const char* at,
+                                                  const Fields& fields, const Material* material) {
+  if (owner == "TriangleMesh") {
+    const Value& file = fields["obj_file"];
+    bool isNew = false;
+    const MeshGeometry* const mesh = meshes_.find(file.name, isNew);
+    if (!mesh || !material) return nullptr;
+    if (isNew) warnOfMesh(*mesh, file.at);
+    return std::make_unique<TriangleMesh>(mesh, material);
+  }
+  if (!material) return nullptr;
+  if (owner == "Sphere") {
+    return std::make_unique<Sphere>(fields["center"].vector(), fields["radius"].number(), material);
+  }
+  if (owner == "Plane") {
+    return std::make_unique<Plane>(fields["normal"].vector(), fields["offset"].number(), material);
+  }
+  auto triangle = std::make_unique<Triangle>(fields["vertex0"].vector(), fields["vertex1"].vector(),
+                                             fields["vertex2"].vector(), material);
   if (!triangle->hasArea() && ++notes_.flatTriangles <= kFlatTrianglesNamed) {
     notes_.warn(at, "the triangle has no area: it will not be seen");
   }
-  return keep(std::move(triangle), at);
-}
-
-const Object3D* ObjectReader::readTriangleMesh() {
-  const char* const at = in_.at();
-  const Material* const material = materials_.materialFor("TriangleMesh", at);
-  in_.advance();
-  MeshFields fields;
-  if (!in_.readFields("TriangleMesh", {fields})) return nullptr;
-  bool isNew = false;
-  const MeshGeometry* const mesh = meshes_.find(fields.file.value, isNew);
-  if (!mesh || !material) return nullptr;
-  if (isNew) warnOfMesh(*mesh, fields.file.at);
-  return keep(std::make_unique<TriangleMesh>(mesh, material), at);
+  return triangle;
 }
 
 void ObjectReader::warnOfMesh(const MeshGeometry& mesh, const char* at) {
@@ -115,7 +101,7 @@ const Object3D* ObjectReader::readGroup() {
   };
   const auto readOther = [this] {
     const bool isIndex = in_.word() == "MaterialIndex";
-    if (!isIndex && !WordList(kMaterialWords).contains(in_.word())) return false;
+    if (!isIndex && !kMaterialWords.contains(in_.word())) return false;
     isIndex ? materials_.readIndex() : materials_.readInline();
     return true;
   };
@@ -126,11 +112,18 @@ const Object3D* ObjectReader::readGroup() {
 
 namespace {
 
-const Step* findStep(std::string_view word) {
-  for (const Step& step : kSteps) {
-    if (step.name == word) return &step;
-  }
-  return nullptr;
+/// What a step does, given the numbers behind its name.
+Matrix matrixOf(std::string_view step, const double* n) {
+  if (step == "Translate") return Matrix::translation({n[0], n[1], n[2]});
+  if (step == "Scale") return Matrix::scale({n[0], n[1], n[2]});
+  if (step == "UniformScale") return Matrix::scale({n[0], n[0], n[0]});
+  if (step == "XRotate") return Matrix::rotation({1, 0, 0}, n[0]);
+  if (step == "YRotate") return Matrix::rotation({0, 1, 0}, n[0]);
+  if (step == "ZRotate") return Matrix::rotation({0, 0, 1}, n[0]);
+  if (step == "Rotate") return Matrix::rotation({n[0], n[1], n[2]}, n[3]);
+  double rows[3][4];
+  for (int i = 0; i < 12; ++i) rows[i / 4][i % 4] = n[i];
+  return Matrix(rows);
 }
 
 /// True when the inverse exists and undoes the map to two digits at least: a map that is singular
@@ -168,7 +161,7 @@ std::string problemOf(const Step& step, const double* n, bool mustInvert, Matrix
   if (step.name == "Matrix" && !(n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1)) {
     return "expected 0 0 0 1 as the last row of Matrix, found" + shown(n + 12, 4);
   }
-  matrix = step.toMatrix(n);
+  matrix = matrixOf(step.name, n);
   if (!mustInvert || !step.canBeSingular || hasInverse(matrix)) return {};
   return "singular transform: expected a step that can be inverted, found " +
          std::string(step.name) + shown(n, step.numbers);
@@ -180,12 +173,7 @@ bool readStepNumbers(FieldReader& in, const Step& step, double* numbers) {
   in.advance();
   const bool hasBraces = in.word() == "{";
   if (hasBraces) in.advance();
-  bool isGood = true;
-  for (std::size_t i = 0; i < step.numbers; ++i) {
-    const char* const before = in.at();
-    isGood &= in.readNumber(step.name, numbers[i]);
-    if (in.at() == before) break;
-  }
+  const bool isGood = in.readNumbers(step.name, numbers, step.numbers, false);
   if (hasBraces) in.closeBlock(step.name);
   return isGood;
 }
@@ -209,7 +197,9 @@ bool readStep(FieldReader& in, const Step& step, bool mustInvert, Matrix& produc
 bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& product) {
   bool isGood = true;
   for (;;) {
-    if (const Step* step = findStep(in.word())) {
+    const Step* const step = std::find_if(std::begin(kSteps), std::end(kSteps),
+                                          [&](const Step& each) { return each.name == in.word(); });
+    if (step != std::end(kSteps)) {
       isGood &= readStep(in, *step, mustInvert, product);
     } else if (in.atEnd() || in.word() == "}" || in.isAtBlock()) {
       return isGood;
@@ -243,7 +233,7 @@ const Object3D* ObjectReader::readTransform() {
 /// Reads the object of a Transform and the `}` behind it. After a mistake in the steps a missing
 /// object is no news: its name may have been the mistake.
 const Object3D* ObjectReader::readMovedObject(bool areStepsGood) {
-  if (!WordList(kObjectWords).contains(in_.word())) {
+  if (!kObjectWords.contains(in_.word())) {
     if (areStepsGood || in_.word() != "}") {
       in_.reportExpected("an object in Transform (" + listed(kObjectWords) + ")");
     }
@@ -251,7 +241,7 @@ const Object3D* ObjectReader::readMovedObject(bool areStepsGood) {
     return nullptr;
   }
   const Object3D* const object = read();
-  while (WordList(kObjectWords).contains(in_.word())) {
+  while (kObjectWords.contains(in_.word())) {
     in_.report(in_.at(),
                "expected '}' behind the one object of Transform, found " + quoted(in_.word()));
     read();

@@ -58,7 +58,7 @@ void SceneReader::readMisplaced() {
   if (word == "}") {
     in_.report(in_.at(), "expected a section, found '}' without a block to end");
     in_.advance();
-  } else if (WordList(kGroupWords).contains(word)) {
+  } else if (kGroupWords.contains(word)) {
     in_.report(in_.at(), "expected " + quoted(word) + " inside a Group, found it outside");
     in_.skipWordAndBlock();
   } else {
@@ -81,26 +81,22 @@ void SceneReader::readCamera() {
   reportSecond("camera", hasCamera_);
   const std::string_view owner = in_.word();
   in_.advance();
-  FrameFields frame;
-  OrthographicFields orthographic;
-  PerspectiveFields perspective;
-  const bool isPerspective = owner == "PerspectiveCamera";
-  const FieldList extent = isPerspective ? FieldList(perspective) : FieldList(orthographic);
-  const bool areFieldsGood = in_.readFields(owner, {frame, extent});
-  const Given<Vec3d>&direction = frame.direction, &up = frame.up;
+  Fields frame("every camera"), extent(owner);
+  const bool areFieldsGood = in_.readFields(owner, {&frame, &extent});
+  const Value &direction = frame["direction"], &up = frame["up"];
   const bool areBothGiven = in_.checkRanges(frame) && direction.at && up.at;
-  const bool isParallel = areBothGiven && areParallel(direction.value, up.value);
+  const bool isParallel = areBothGiven && areParallel(direction.vector(), up.vector());
   if (isParallel) {
     in_.report(up.at, "expected an up that is not parallel to direction, found them parallel");
   }
   if (!in_.checkRanges(extent) || !areFieldsGood || !areBothGiven || isParallel) return;
-  const Vec3d& center = frame.center.value;
-  if (isPerspective) {
-    scene_.camera_ = std::make_unique<PerspectiveCamera>(center, direction.value, up.value,
-                                                         math::radians(perspective.angle.value));
+  const Vec3d center = frame["center"].vector();
+  if (owner == "PerspectiveCamera") {
+    scene_.camera_ = std::make_unique<PerspectiveCamera>(center, direction.vector(), up.vector(),
+                                                         math::radians(extent["angle"].number()));
   } else {
-    scene_.camera_ = std::make_unique<OrthographicCamera>(center, direction.value, up.value,
-                                                          orthographic.size.value);
+    scene_.camera_ = std::make_unique<OrthographicCamera>(center, direction.vector(), up.vector(),
+                                                          extent["size"].number());
   }
 }
 
@@ -108,26 +104,23 @@ void SceneReader::readLights() {
   reportSecond("Lights", hasLights_);
   lightsAt_ = in_.at();
   in_.advance();
-  in_.readCounted(
-      {"Lights", "numLights", kLightWords, kLightWords}, [this] { readLight(); },
-      [] { return false; });
+  in_.readCounted({"Lights", "numLights", kLightWords, kLightWords}, [this] { readLight(); });
 }
 
 void SceneReader::readLight() {
   const std::string_view owner = in_.word();
   const char* const at = in_.at();
   in_.advance();
+  Fields fields(owner);
+  const bool isRead = in_.readFields(owner, {&fields});
+  if (!in_.checkRanges(fields) || !isRead) return;
+  const Vec3f color = fields["color"].color();
   std::unique_ptr<Light> light;
   if (owner == "DirectionalLight") {
-    DirectionalLightFields fields;
-    const bool isGood = in_.readFields(owner, {fields});
-    if (!in_.checkRanges(fields) || !isGood) return;
-    light = std::make_unique<DirectionalLight>(fields.direction.value, fields.color.value);
+    light = std::make_unique<DirectionalLight>(fields["direction"].vector(), color);
   } else {
-    PointLightFields fields;
-    if (!in_.readFields(owner, {fields})) return;
-    light = std::make_unique<PointLight>(fields.position.value, fields.color.value,
-                                         fields.attenuation.value);
+    light = std::make_unique<PointLight>(fields["position"].vector(), color,
+                                         fields["attenuation"].vector());
   }
   notes_.lightStarts.push_back(at);
   scene_.lights_.push_back(std::move(light));
@@ -136,11 +129,11 @@ void SceneReader::readLight() {
 void SceneReader::readBackground() {
   reportSecond("Background", hasBackground_);
   in_.advance();
-  BackgroundFields fields;
-  in_.readFields("Background", {fields});
+  Fields fields("Background");
+  in_.readFields("Background", {&fields});
   in_.checkRanges(fields);
-  scene_.backgroundColor_ = fields.color.value;
-  scene_.ambientLight_ = fields.ambientLight.value;
+  scene_.backgroundColor_ = fields["color"].color();
+  scene_.ambientLight_ = fields["ambientLight"].color();
 }
 
 /// What can only be said once everything is read.

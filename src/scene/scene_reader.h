@@ -16,6 +16,7 @@
 #include "scene/mesh_library.h"
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
+#include "shading/optics.h"
 #include "shading/solid_texture.h"
 
 /// A material as it stands in the file.
@@ -36,7 +37,7 @@ class SceneNotes {
   std::vector<MaterialNote> materials;   // for each material of the scene
   std::size_t listedMaterials = 0;       // so many of these stand in Materials
   std::vector<const char*> lightStarts;  // for each light of the scene
-  std::vector<std::pair<const Object3D*, const char*>> objectStarts;  // spheres, triangles, meshes
+  std::vector<std::pair<const Object3D*, const char*>> objectStarts;  // of shapes
   std::vector<Note> lowExponents;
   std::size_t flatTriangles = 0;
 
@@ -79,19 +80,16 @@ class MaterialReader {
   /// What a solid texture's block says.
   struct TextureWords {
     Matrix toTexture;
-    std::vector<SolidTexture::Component> parts;
+    std::vector<SolidTexture::Component> components;
     int octaves = 1;
     bool hasTransform = false, areIndicesGood = true;
   };
 
   void add();
   std::unique_ptr<Material> read();
-  // Each reads `own` fields of its kind and the common ones, which are those of every kind.
-  std::unique_ptr<Material> readPhong(std::string_view owner, MaterialFields& common);
-  std::unique_ptr<Material> readCookTorrance(std::string_view owner, MaterialFields& common);
-  std::unique_ptr<Material> readWard(std::string_view owner, MaterialFields& common);
-  std::unique_ptr<Material> readOrenNayar(std::string_view owner, MaterialFields& common);
-  void readBlock(std::string_view owner, const FieldList& own, const FieldList& common);
+  std::unique_ptr<Material> make(std::string_view owner, const Fields& own, const Fields& common,
+                                 std::size_t distribution);
+  Fresnel fresnelOf(const Fields& own);
   std::unique_ptr<Material> readTexture(std::string_view owner);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
   bool readTextureIndex(std::string_view owner, TextureWords& words);
@@ -129,17 +127,14 @@ class ObjectReader {
   const Object3D* read();
 
  private:
-  const Object3D* readKind(std::string_view word);
+  const Object3D* readShape();
+  std::unique_ptr<Object3D> makeShape(std::string_view owner, const char* at, const Fields& fields,
+                                      const Material* material);
   const Object3D* readGroup();
   const Object3D* readTransform();
   const Object3D* readMovedObject(bool areStepsGood);
-  const Object3D* readSphere();
-  const Object3D* readPlane();
-  const Object3D* readTriangle();
-  const Object3D* readTriangleMesh();
   void warnOfMesh(const MeshGeometry& mesh, const char* at);
-  /// `at` is where a Sphere, Triangle or TriangleMesh begins.
-  const Object3D* keep(std::unique_ptr<Object3D> object, const char* at = nullptr);
+  const Object3D* keep(std::unique_ptr<Object3D> object);
   bool isTooDeep();
 
   FieldReader& in_;

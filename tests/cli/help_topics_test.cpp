@@ -94,7 +94,8 @@ TEST("topic scene has every word of the scene language") {
   for (const std::string_view word : kLightWords) check(word);
   for (const std::string_view word : kGroupWords) check(word);
   for (const std::string_view word : kTransformWords) check(word);
-  for (const std::string_view word : kFieldWords) check(word);
+  for (const std::string_view word : kCountWords) check(word);
+  for (const Field& field : kFields) check(field.name);
 }
 
 TEST("-help prints each topic on standard output, with one dash or two") {

@@ -1,5 +1,6 @@
 // Prints the program's own words as dictionary entries: those of the scene language
 // (`fuzz_words scene`) or the arguments (`fuzz_words options`); nothing for any other name.
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -9,13 +10,12 @@
 namespace {
 
 void printSceneWords() {
-  const WordList lists[] = {kSectionWords, kLightWords,     kMaterialWords,
-                            kGroupWords,   kTransformWords, kFieldWords};
-  for (const WordList& list : lists) {
-    for (const std::string_view word : list) {
-      std::printf("\"%.*s \"\n", int(word.size()), word.data());
-    }
-  }
+  const auto print = [](std::string_view word) {
+    std::printf("\"%.*s \"\n", int(word.size()), word.data());
+  };
+  const WordList lists[] = {kSectionWords, kLightWords, kStepsToMaterials, kCountWords};
+  for (const WordList& list : lists) std::for_each(list.begin(), list.end(), print);
+  for (const Field& field : kFields) print(field.name);
 }
 
 void printArguments() {
