@@ -2,6 +2,7 @@
 // A table beside the scene, made only where it is asked for: objects know nothing of it.
 #pragma once
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,12 +21,12 @@ class ObjectPlaces {
   /// `kind` is the object's name in the file, one of kObjectWords, at `place` of the text, which is
   /// behind all places before.
   void begin(std::string_view kind, const char* place);
-  /// The object that began last and has not ended: null where there was a mistake.
+  /// The object that began last and has not ended; each begin() has its end(). Null where there was
+  /// a mistake. Not owned: it is only asked for by its address. After the last end() the text is
+  /// not needed any more.
   void end(const Object3D* object);
-  /// All objects have been read. The text is not needed any more.
-  void finish();
 
-  // After finish(), in a time that grows with the logarithm of the number of objects.
+  // Afterwards, in a time that grows with the logarithm of the number of objects.
 
   /// The line of the object's name, counted from 1; 0 where the object is none of the scene's.
   std::size_t lineOf(const Object3D* object) const;
@@ -33,26 +34,25 @@ class ObjectPlaces {
   /// count the members of a Group, and the Groups of the file, from 1; what is in a Transform is
   /// alone there. Empty where the object is none of the scene's.
   std::string pathOf(const Object3D* object) const;
+  /// The name of the file; empty where no object is known.
   const std::string& file() const { return file_; }
 
  private:
   static constexpr std::size_t kNone = std::size_t(-1);
-  struct Entry {
-    const Object3D* object;
+  struct Place {
     std::string_view kind;  // a literal of kObjectWords
     std::size_t line;
     std::size_t parent;   // an index; kNone outside of all
-    std::size_t number;   // among the members of the parent
+    std::size_t number;   // among the members of the parent, from 1
     std::size_t members;  // so far
   };
 
-  const Entry* find(const Object3D* object) const;
-  std::string nameOf(const Entry& entry) const;
+  std::string nameOf(const Place& place) const;
 
   std::string file_;
   const char* counted_ = nullptr;  // lines before this have been counted
   std::size_t line_ = 1;
   std::size_t open_ = kNone, topMembers_ = 0;
-  std::vector<Entry> entries_;         // in file order
-  std::vector<std::size_t> byObject_;  // indices, by the object's address
+  std::vector<Place> places_;                        // in file order
+  std::map<const Object3D*, std::size_t> byObject_;  // indices
 };

@@ -93,21 +93,16 @@ inline constexpr double kScales[2][16] = {
     {-1, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13, -1e14,
      -1e15}};
 
-/// True when a double among the normal floats lies at most `units` of its last place from the
-/// middle between two floats, told by the 29 bits that a float has not.
-inline bool isNearMiddle(double value, unsigned units) {
-  constexpr std::uint64_t kRest = 0x1fffffff, kMiddle = 0x10000000;
-  std::uint64_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return ((bits + kMiddle + units) & kRest) <= 2 * units;
-}
-
-/// Stores the nearest float, and returns true, where a quotient of doubles tells it: that is not
-/// even 2 units in its last place off, as mantissa and quotient are rounded once each.
+/// Stores the nearest float, and returns true, where a quotient of doubles tells it. That is not
+/// even 2 units in its last place off, as mantissa and quotient are rounded once each; so it must
+/// lie further from the middle between two floats, told by the 29 bits that a float has not.
 [[gnu::always_inline]] inline bool round(const Decimal& number, float& value) {
+  constexpr std::uint64_t kRest = 0x1fffffff, kMiddle = 0x10000000, kUnits = 2;
   const double near =
       double(std::int64_t(number.mantissa)) / kScales[number.isNegative][number.places];
-  if (isNearMiddle(near, 2)) return false;
+  std::uint64_t bits;
+  std::memcpy(&bits, &near, sizeof bits);
+  if (((bits + kMiddle + kUnits) & kRest) <= 2 * kUnits) return false;
   value = float(near);
   return true;
 }
@@ -117,6 +112,18 @@ inline bool round(const Decimal& number, double& value) {
   if (number.mantissa > std::uint64_t(1) << 53) return false;
   value = double(std::int64_t(number.mantissa)) / kScales[number.isNegative][number.places];
   return true;
+}
+
+/// Reads a number behind one blank at `p` and before white space, and returns where it ends. Null,
+/// and `value` is as it was, where anything stands there in another way or near the text's end.
+template <class T>
+[[gnu::always_inline]] inline const char* scanBehindBlank(const char* p, const char* end,
+                                                          T& value) {
+  if (end - p <= kBytes || *p != ' ') return nullptr;
+  Decimal number;
+  const char* const stop = scan(p + 1, number);
+  const bool isAll = stop && (*stop == ' ' || *stop == '\n' || *stop == '\r');
+  return isAll && round(number, value) ? stop : nullptr;
 }
 
 }  // namespace decimal

@@ -110,11 +110,8 @@ bool FieldReader::readNumber(double& value, bool isSingle) {
 bool FieldReader::readPlainNumbers(double* values, std::size_t count) {
   const char* p = tokenizer_.place();
   for (std::size_t i = 0; i < count; ++i) {
-    if (tokenizer_.end() - p <= decimal::kBytes || *p != ' ') return false;
-    decimal::Decimal number;
-    p = decimal::scan(p + 1, number);
-    if (!p || !(*p == ' ' || *p == '\n' || *p == '\r' || *p == '}')) return false;
-    if (!decimal::round(number, values[i])) return false;
+    p = decimal::scanBehindBlank(p, tokenizer_.end(), values[i]);
+    if (!p) return false;
   }
   tokenizer_.moveTo(p);
   lastEnd_ = p;

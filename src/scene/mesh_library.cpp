@@ -1,10 +1,10 @@
-// Finding and reading mesh files.
-#include "scene/mesh_library.h"
+// Finding and reading the mesh files that a scene names.
 
 #include <algorithm>
 #include <filesystem>
 
 #include "scene/obj_reader.h"
+#include "scene/scene_reader.h"
 #include "scene/source_text.h"
 #include "scene/wording.h"
 #include "system/worker_threads.h"
@@ -14,71 +14,60 @@ namespace {
 constexpr std::size_t kShownPath = 200;
 constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longer name
 
-/// The file's one true path; empty, and a reason, where there is no such file.
-std::string resolved(const std::string& path, std::string& reason) {
-  std::error_code error;
-  const std::filesystem::path canonical = std::filesystem::canonical(path, error);
-  if (error) reason = error.message();
-  return error ? std::string() : canonical.string();
-}
-
 }  // namespace
 
 const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
   isNew = false;
-  const auto known = byName_.find(name);
-  if (known != byName_.end()) return known->second;
-  return byName_[name] = load(name, isNew);
+  if (byName_.count(name) == 0) byName_[name] = locate(name, isNew);
+  const std::string& path = byName_[name];
+  return path.empty() ? nullptr : byPath_[path];
 }
 
 std::vector<std::string> MeshLibrary::files() const {
-  std::map<const MeshGeometry*, std::string> paths;
-  for (const auto& [path, mesh] : byPath_) paths[mesh] = path;
   std::vector<std::string> files;
-  for (const auto& [name, mesh] : byName_) {
-    if (mesh) files.push_back(paths[mesh]);
+  for (const auto& [name, path] : byName_) {
+    if (!path.empty() && byPath_.at(path)) files.push_back(path);
   }
   return files;
 }
 
-const MeshGeometry* MeshLibrary::load(std::string_view name, bool& isNew) {
-  const std::size_t place = std::size_t(name.data() - scene_.bytes().data());
+/// The path without links of the file that `name` means, which has then been read; empty where
+/// there is none that can be read.
+std::string MeshLibrary::locate(std::string_view name, bool& isNew) {
   std::string tried;
   for (const std::string& path : candidates(name)) {
-    std::string bytes, reason;
-    const std::string key = resolved(path, reason);
-    const auto known = byPath_.find(key);
-    if (known != byPath_.end()) return known->second;
-    MeshGeometry mesh;
-    isNew = !key.empty();
-    if (isNew && readObjFile(path, {hardwareThreads()}, mesh)) {
-      return byPath_[key] = keep(std::move(mesh));
-    }
-    if (isNew && readWholeFile(path, bytes, reason)) {
-      return byPath_[key] = read(path, std::move(bytes), place);
-    }
-    isNew = false;
+    std::error_code error;
+    const std::string key = std::filesystem::canonical(path, error).string();
+    std::string reason = error.message();
+    if (!error && byPath_.count(key) > 0) return key;
+    isNew = !error && read(path, key, name, reason);
+    if (isNew) return key;
     tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
   }
   const std::string why = name.size() > kLongestPath ? "a path has at most 4096 bytes"
                           : tried.empty()            ? "no file can have this name"
                                                      : "looked for " + tried;
-  log_.add(place, InputError(scene_.name(), scene_.lineAt(name.data()),
-                             "cannot read the mesh " + quoted(name) + "; " + why));
-  return nullptr;
+  log_.add(placeOf(name), InputError(scene_.name(), scene_.lineAt(name.data()),
+                                     "cannot read the mesh " + quoted(name) + "; " + why));
+  return {};
 }
 
-const MeshGeometry* MeshLibrary::read(const std::string& path, std::string bytes,
-                                      std::size_t place) {
+/// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then null is
+/// kept in its place. False, and a reason, where the file cannot be read.
+bool MeshLibrary::read(const std::string& path, const std::string& key, std::string_view name,
+                       std::string& reason) {
   const std::size_t mistakesBefore = log_.count();
-  const SourceText text(path, std::move(bytes));
-  MeshGeometry mesh = readObj(text, log_, place);
-  return log_.count() > mistakesBefore ? nullptr : keep(std::move(mesh));
-}
-
-const MeshGeometry* MeshLibrary::keep(MeshGeometry&& mesh) {
+  MeshGeometry mesh;
+  if (!readObjFile(path, {hardwareThreads()}, mesh)) {
+    std::string bytes;
+    if (!readWholeFile(path, bytes, reason)) return false;
+    mesh = readObj(SourceText(path, std::move(bytes)), log_, placeOf(name));
+  }
+  const MeshGeometry*& kept = byPath_[key];
+  if (log_.count() > mistakesBefore) return true;
   meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
-  return meshes_.back().get();
+  kept = meshes_.back().get();
+  return true;
 }
 
 std::vector<std::string> MeshLibrary::candidates(std::string_view name) const {

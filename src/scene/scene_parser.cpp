@@ -15,7 +15,6 @@ SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places) {
   MistakeLog log(MistakeLog::Mode::throwFirst);
   if (places) *places = ObjectPlaces(text.name(), text.bytes().data());
   SceneReader(text, log, *this, places).read();
-  if (places) places->finish();
 }
 
 SceneParser::~SceneParser() = default;

@@ -1,15 +1,12 @@
-// Reading a whole file, whatever kind of file it is; counting its lines; and cutting it into words,
-// by a table of what each byte is.
+// Reading a whole file, whatever kind of file it is; counting its lines; and cutting it into words.
 #include "scene/source_text.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -19,16 +16,15 @@
 
 namespace {
 
-constexpr std::size_t kChunk = std::size_t(1) << 20;
 constexpr std::size_t kLeastRoom = 4096;
-constexpr std::size_t kPipe = std::size_t(1) << 16;  // what a pipe holds, and gives at a time
+constexpr std::size_t kMostRoom = std::size_t(1) << 16;  // what a pipe holds, and gives at a time
 /// Devices such as /dev/zero never end: more than this from one is a mistake.
 constexpr std::size_t kMaxDeviceBytes = std::size_t(64) << 20;
 
 /// What the system says of the last call that failed.
 std::string systemReason() { return std::strerror(errno); }
 
-/// Reads to the end. Memory is touched a chunk at a time, as the bytes come. Returns why it could
+/// Reads to the end. Memory is touched a little at a time, as the bytes come. Returns why it could
 /// not, or nothing.
 std::string readToEnd(int descriptor, std::string& bytes) {
   struct stat status;
@@ -36,15 +32,14 @@ std::string readToEnd(int descriptor, std::string& bytes) {
   if (S_ISDIR(status.st_mode)) return "it is a folder, expected a file";
   if (S_ISREG(status.st_mode)) bytes.reserve(std::size_t(status.st_size) + 1);
   preferLargePages(bytes.data(), bytes.capacity());
-  const std::size_t limit =
-      S_ISCHR(status.st_mode) ? kMaxDeviceBytes : std::numeric_limits<std::size_t>::max();
-  const std::size_t most = S_ISREG(status.st_mode) ? kChunk : kPipe;
   for (;;) {
     const std::size_t size = bytes.size();
-    if (size > limit) return "the device gives more than 64 MB, expected a file";
-    const std::size_t room = bytes.capacity() - size;
+    if (S_ISCHR(status.st_mode) && size > kMaxDeviceBytes) {
+      return "the device gives more than 64 MB, expected a file";
+    }
     // The end is found with what room there is: more would copy all that has been read.
-    bytes.resize(size + (room > 0 ? std::min(room, most) : kLeastRoom));
+    const std::size_t room = bytes.capacity() - size;
+    bytes.resize(size + (room > 0 ? std::min(room, kMostRoom) : kLeastRoom));
     const ssize_t count = readSome(descriptor, &bytes[size], bytes.size() - size);
     bytes.resize(size + std::size_t(std::max(count, ssize_t(0))));
     if (count < 0) return systemReason();
@@ -62,17 +57,8 @@ bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
   return reason.empty();
 }
 
-enum class Kind : unsigned char { letter, space, brace };
-
-constexpr std::array<Kind, 256> makeKinds() {
-  std::array<Kind, 256> kinds{};
-  for (const unsigned char c : {' ', '\t', '\n', '\v', '\f', '\r'}) kinds[c] = Kind::space;
-  kinds[std::size_t('{')] = kinds[std::size_t('}')] = Kind::brace;
-  return kinds;
-}
-constexpr std::array<Kind, 256> kKinds = makeKinds();
-
-Kind kindOf(char c) { return kKinds[static_cast<unsigned char>(c)]; }
+bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool isBrace(char c) { return c == '{' || c == '}'; }
 
 }  // namespace
 
@@ -103,17 +89,17 @@ Tokenizer::Tokenizer(std::string_view bytes)
 std::string_view Tokenizer::next() {
   skipToWord();
   const char* const start = place_;
-  if (place_ != end_ && kindOf(*place_) == Kind::brace) {
+  if (place_ != end_ && isBrace(*place_)) {
     ++place_;
   } else {
-    while (place_ != end_ && kindOf(*place_) == Kind::letter) ++place_;
+    while (place_ != end_ && !isSpace(*place_) && !isBrace(*place_)) ++place_;
   }
   return {start, std::size_t(place_ - start)};
 }
 
 void Tokenizer::skipToWord() {
   for (;;) {
-    while (place_ != end_ && kindOf(*place_) == Kind::space) ++place_;
+    while (place_ != end_ && isSpace(*place_)) ++place_;
     if (place_ == end_) return;
     const bool isComment =
         *place_ == '#' || (*place_ == '/' && place_ + 1 != end_ && place_[1] == '/');

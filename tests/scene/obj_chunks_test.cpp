@@ -1,4 +1,4 @@
-// Reading OBJ files in parts by many threads gives what reading them as one text does.
+// Reading OBJ files in chunks by many threads gives what reading them as one text does.
 #include <cstdio>
 #include <sstream>
 
@@ -30,18 +30,18 @@ std::string asOne(const std::string& text) {
   }
 }
 
-std::string inParts(const std::string& path, int threads, std::size_t chunkBytes) {
+std::string inChunks(const std::string& path, int threads, std::size_t chunkBytes) {
   MeshGeometry mesh;
   return readObjFile(path, {threads, chunkBytes}, mesh) ? shown(mesh) : "mistake";
 }
 
-/// Checks `text` with parts of many sizes; true where it is a mesh.
-bool checkParts(const std::string& text) {
-  const std::string path = scenes::write("parts.obj", text);
+/// Checks `text` with chunks of many sizes; true where it is a mesh.
+bool checkChunks(const std::string& text) {
+  const std::string path = scenes::write("chunks.obj", text);
   const std::string expected = asOne(text);
   for (const int threads : {1, 3}) {
     for (const std::size_t chunkBytes : {1u, 2u, 5u, 16u, 61u, 100'000u}) {
-      const std::string found = inParts(path, threads, chunkBytes);
+      const std::string found = inChunks(path, threads, chunkBytes);
       if (found == expected) continue;
       check::report(false, __FILE__, __LINE__,
                     std::to_string(chunkBytes) + " bytes, " + std::to_string(threads) +
@@ -95,24 +95,24 @@ std::string randomMesh(Random& random, int rareness) {
                       : kGood[random.index(15)];
     text += random.index(5) == 0 ? "\r\n" : i + 1 == count && random.index(2) == 0 ? "" : "\n";
   }
-  // Plain statements are read at a stretch where much text stands behind them, never in parts of
+  // Plain statements are read at a stretch where much text stands behind them, never in chunks of
   // a few bytes.
   return random.index(4) == 0 ? text : text + "\n# " + std::string(150, '1') + "\n";
 }
 
 }  // namespace
 
-TEST("random meshes come out the same in parts of any size and by any number of threads") {
+TEST("random meshes come out the same in chunks of any size and by any number of threads") {
   Random random(31);
   int good = 0, bad = 0;
   for (int i = 0; i < 600; ++i) {
-    (checkParts(randomMesh(random, i % 2 == 0 ? 1'000'000 : 10)) ? good : bad)++;
+    (checkChunks(randomMesh(random, i % 2 == 0 ? 1'000'000 : 10)) ? good : bad)++;
   }
   CHECK(good > 300);
   CHECK(bad > 150);
 }
 
-TEST("random bytes come out the same in parts of any size and by any number of threads") {
+TEST("random bytes come out the same in chunks of any size and by any number of threads") {
   Random random(32);
   const std::string letters = "vf\n\n\r\\# 123-/.";
   int good = 0;
@@ -121,12 +121,12 @@ TEST("random bytes come out the same in parts of any size and by any number of t
     for (int size = random.index(40); size > 0; --size) {
       text += letters[std::size_t(random.index(int(letters.size())))];
     }
-    good += checkParts(text);
+    good += checkChunks(text);
   }
   CHECK(good > 40);
 }
 
-TEST("indices that count backwards reach over parts, and no further than the start") {
+TEST("indices that count backwards reach over chunks, and no further than the start") {
   // Ten vertices and faces by turns: face i counts back to vertices i - 2, i - 1 and i.
   std::string text = "v 0 0 0\nv 0 0 1\n", expected;
   for (int i = 2; i < 10; ++i) text += "v 0 0 " + std::to_string(i) + "\nf -3 -2 -1\n";
@@ -134,21 +134,21 @@ TEST("indices that count backwards reach over parts, and no further than the sta
     expected +=
         std::to_string(i - 2) + ' ' + std::to_string(i - 1) + ' ' + std::to_string(i) + '\n';
   }
-  const std::string path = scenes::write("parts.obj", text);
-  const std::string found = inParts(path, 2, 20);
+  const std::string path = scenes::write("chunks.obj", text);
+  const std::string found = inChunks(path, 2, 20);
   CHECK(found.size() > expected.size());
   CHECK_EQUAL(found.substr(found.size() - expected.size()), expected);
-  CHECK(checkParts("v 1 2 3\nv 1 2 3\nf -2 -1 -1\n"));
-  CHECK(!checkParts("v 1 2 3\nv 1 2 3\nf -3 -1 -1\n"));
+  CHECK(checkChunks("v 1 2 3\nv 1 2 3\nf -2 -1 -1\n"));
+  CHECK(!checkChunks("v 1 2 3\nv 1 2 3\nf -3 -1 -1\n"));
 }
 
-TEST("a statement longer than many parts is read, and so is a file of continuations alone") {
+TEST("a statement longer than many chunks is read, and so is a file of continuations alone") {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
   for (int i = 0; i < 3000; ++i) text += i % 3 == 0 ? " 1 \\\n" : " -1 2";
-  CHECK(checkParts(text + "\n"));
+  CHECK(checkChunks(text + "\n"));
   std::string continued;
   for (int i = 0; i < 5000; ++i) continued += "\\\n";
-  CHECK(checkParts(continued));
+  CHECK(checkChunks(continued));
 }
 
 TEST("what is no regular file is left to the reader of whole texts") {
@@ -163,20 +163,22 @@ TEST("chunks are whole statements, and together the file") {
   const std::string path = scenes::write("chunks.txt", text);
   for (std::size_t chunkBytes = 1; chunkBytes < 40; ++chunkBytes) {
     const OpenFile file(path);
-    StatementChunks chunks(file.descriptor(), chunkBytes);
     std::vector<char> buffer;
     std::string all;
-    std::size_t count = 0, number = 0;
-    for (;;) {
-      const std::string chunk(chunks.next(buffer, [&](std::size_t given) { number = given; }));
-      if (chunk.empty()) break;
-      CHECK_EQUAL(number, count++);
-      all += chunk;
+    const std::size_t count = text.size() / chunkBytes + 1;
+    for (std::size_t number = 0; number < count; ++number) {
+      const auto chunk = readStatements(file, number, chunkBytes, buffer);
+      CHECK(chunk.has_value());
+      if (!chunk || chunk->empty()) continue;
+      // It is what begins in that stretch of the file, not before and not behind.
+      CHECK(all.size() >= number * chunkBytes);
+      CHECK(all.size() < (number + 1) * chunkBytes);
+      all += *chunk;
       CHECK(all.size() == text.size() ||
             scenes::contains("a\n, c\n,\n\n,\ne\n", all.substr(all.size() - 2)));
     }
+    CHECK(readStatements(file, count, chunkBytes, buffer)->empty());
     CHECK_EQUAL(all, text);
-    CHECK(!chunks.hasFailed());
   }
   std::remove(path.c_str());
 }
