@@ -1,12 +1,11 @@
 // InputError: a mistake in a scene or mesh file, and MistakeLog, where such mistakes go: the first
 // one is thrown, to be caught once, in main; or all are collected, for -check.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 class InputError : public std::runtime_error {
@@ -42,22 +41,18 @@ class MistakeLog {
   void add(std::size_t place, const InputError& mistake) {
     // A copy that finds no memory throws bad_alloc in its place.
     if (mode_ == Mode::throwFirst) throw mistake;  // NOLINT(cert-err60-cpp)
-    mistakes_.emplace_back(place, mistake);
+    mistakes_.emplace(place, mistake);
     if (mistakes_.size() >= kCapacity) throw Full();
   }
 
   /// Everything collected, in file order.
   std::vector<InputError> inOrder() const {
-    auto sorted = mistakes_;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<InputError> mistakes;
-    mistakes.reserve(sorted.size());
-    for (const auto& [place, mistake] : sorted) mistakes.push_back(mistake);
+    for (const auto& [place, mistake] : mistakes_) mistakes.push_back(mistake);
     return mistakes;
   }
 
  private:
   Mode mode_;
-  std::vector<std::pair<std::size_t, InputError>> mistakes_;  // with their places
+  std::multimap<std::size_t, InputError> mistakes_;  // by place
 };

@@ -34,17 +34,26 @@ class SceneParser {
   static std::vector<InputError> check(const char* filename,
                                        std::vector<std::string>* warnings = nullptr);
 
+  // What the getters return is owned by this parser and lives as long as it does. Colours are as
+  // the file gives them, mostly 0..1, but any finite number is legal.
+
+  /// Never null once the constructor has returned; there is exactly one.
   const Camera* getCamera() const { return camera_.get(); }
+  /// 0.5 0.5 0.5 where the file does not say.
   Vec3f getBackgroundColor() const { return backgroundColor_; }
-  /// White where the scene has no lights at all.
+  /// Black where the file does not say; white where the scene has no lights at all.
   Vec3f getAmbientLight() const { return ambientLight_; }
+  /// 0 or more.
   int getNumLights() const { return int(lights_.size()); }
-  /// 0 <= i < getNumLights().
+  /// 0 <= i < getNumLights(), in file order. Never null.
   const Light* getLight(int i) const { return lights_[std::size_t(i)].get(); }
+  /// 0 or more.
   int getNumMaterials() const { return int(materials_.size()); }
-  /// 0 <= i < getNumMaterials(); materials written inside a Group come after the listed ones.
+  /// 0 <= i < getNumMaterials(), in file order; materials written inside a Group come after the
+  /// listed ones. Never null.
   const Material* getMaterial(int i) const { return materials_[std::size_t(i)].get(); }
   /// All objects of the scene: one Group that holds the file's top-level Groups in order.
+  /// Never null; empty where the file has no Group.
   const Group* getGroup() const { return &group_; }
 
   /// The files of the meshes, as absolute paths without links: one for each name that the scene

@@ -8,15 +8,17 @@
 class SolidObjects {
  public:
   /// Lists the spheres and closed meshes of transparent material below `root`, inside Transforms
-  /// too. Nothing is owned; each object stands in one place.
+  /// too. Nothing is owned: the scene must outlive the list. Each object stands in one place.
   explicit SolidObjects(const Object3D& root);
 
-  /// The volume of an object in the world; infinity of what is not listed. It is the same from
-  /// wherever one looks, and what lies all inside another has the smaller one.
+  /// The volume of an object in the world, at least 0 (it may overflow to infinity); infinity of
+  /// what is not listed, null included. It is the same from wherever one looks, and what lies all
+  /// inside another has the smaller one. Time grows with the logarithm of the number of solids.
   double volumeOf(const Object3D* object) const;
-  /// The world box of all of them; empty where there are none.
+  /// The world box of all of them, in world units; empty where there are none.
   const BoundingBox& box() const { return box_; }
-  /// True where `point` is further than `distance` >= 0 and all rounding from that box.
+  /// True where `point`, in world space, is further than `distance` >= 0 and all rounding from that
+  /// box; always true where there are no solids. A NaN coordinate is beyond no side.
   bool areBeyond(const Vec3d& point, double distance) const;
 
  private:
@@ -32,5 +34,5 @@ class SolidObjects {
 };
 
 /// The volume that a closed mesh encloses: the sum over its faces of the tetrahedra that they span
-/// with one point, without its sign.
+/// with one point, without its sign, in the mesh's own space; 0 where it has no faces.
 double volumeOf(const MeshGeometry& mesh);

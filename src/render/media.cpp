@@ -150,10 +150,10 @@ float Media::Medium::indexAt(const Vec3d& point) const {
   const SolidTexture* const texture = material->asTexture();
   if (!texture) return material->getIndexOfRefraction();
   double sum = 0, weights = 0;
-  for (const WeightedMaterial& part : texture->materialsAt(point)) {
-    if (!anyPositive(part.material->getTransparentColor())) continue;
-    sum += part.weight * double(part.material->getIndexOfRefraction());
-    weights += part.weight;
+  for (const WeightedMaterial& each : texture->materialsAt(point)) {
+    if (!anyPositive(each.material->getTransparentColor())) continue;
+    sum += each.weight * double(each.material->getIndexOfRefraction());
+    weights += each.weight;
   }
   return weights > 0 ? float(sum / weights) : material->getIndexOfRefraction();
 }

@@ -19,7 +19,7 @@ class Media : private CrossingVisitor {
     const Material* material = nullptr;
 
     /// The index of refraction near a point of the world: 1 outside; of a texture the mean of its
-    /// transparent parts' there.
+    /// transparent components' there.
     float indexAt(const Vec3d& point) const;
   };
 

@@ -57,11 +57,11 @@ Vec3f RayTracer::shade(const Surface& s) const {
 /// counts in the weights of rays that continue, so that they end where a component is faint.
 Vec3f RayTracer::mixture(const SolidTexture& texture, const Surface& s) const {
   Vec3d sum;
-  for (const WeightedMaterial& part : texture.materialsAt(s.hit.getIntersectionPoint())) {
-    const Hit hit = s.hit.withMaterial(part.material);
-    const float weight = s.weight * float(part.weight);
+  for (const WeightedMaterial& each : texture.materialsAt(s.hit.getIntersectionPoint())) {
+    const Hit hit = s.hit.withMaterial(each.material);
+    const float weight = s.weight * float(each.weight);
     const Surface component = {s.ray, hit, s.interface, s.bounces, weight, s.indexOfRefraction};
-    sum += part.weight * Vec3d(shadeComponent(component, part.weight));
+    sum += each.weight * Vec3d(shadeComponent(component, each.weight));
   }
   return Vec3f(sum);
 }

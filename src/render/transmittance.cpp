@@ -19,7 +19,7 @@
 
 namespace {
 
-/// One object's part in the light: its colour to the power `exponent`.
+/// One object's share in the light: its colour to the power `exponent`.
 struct Filter {
   Vec3f color;
   double exponent;  // length inside a closed object, number of crossings of an open one
@@ -144,8 +144,8 @@ Vec3f transparencyAt(const Material& material, const Vec3d& point) {
   const SolidTexture* const texture = material.asTexture();
   if (!texture) return material.getTransparentColor();
   Vec3d sum;
-  for (const WeightedMaterial& part : texture->materialsAt(point)) {
-    sum += part.weight * Vec3d(part.material->getTransparentColor());
+  for (const WeightedMaterial& each : texture->materialsAt(point)) {
+    sum += each.weight * Vec3d(each.material->getTransparentColor());
   }
   return Vec3f(sum);
 }

@@ -13,12 +13,12 @@
 /// Each closed transparent object multiplies on its own by transparentColor^length, length being
 /// what the light travels inside it in world units; an open transparent surface multiplies by its
 /// colour once for each crossing at epsilon < t < distance. Light does not bend.
-/// Of a solid texture the colour is the mean of its parts' at the point where the light enters the
+/// Of a solid texture the colour is the mean of its components' at the point where the light enters the
 /// object (or leaves it, if it is an open surface, or the lamp is inside); where that is black the
 /// surface is opaque.
 Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, double distance);
 
-/// transparentColor at a point of the world; of a texture the mean of its parts' colours there.
+/// transparentColor at a point of the world; of a texture the mean of its components' colours there.
 Vec3f transparencyAt(const Material& material, const Vec3d& point);
 
 /// transparentColor^length in each component, negative ones taken as 0; length >= 0.

@@ -95,13 +95,13 @@ class WaveTracer::SurfaceBatch {
 
   void addComponents(const SolidTexture& texture, const Surface& s, std::size_t ray) {
     sums_.resize(count_);
-    for (const WeightedMaterial& part : texture.materialsAt(s.hit.getIntersectionPoint())) {
+    for (const WeightedMaterial& each : texture.materialsAt(s.hit.getIntersectionPoint())) {
       if (isFull()) flush();
-      componentHits_.push_back(s.hit.withMaterial(part.material));
-      const float weight = s.weight * float(part.weight);
+      componentHits_.push_back(s.hit.withMaterial(each.material));
+      const float weight = s.weight * float(each.weight);
       surfaces_.push_back(
           {s.ray, componentHits_.back(), s.interface, s.bounces, weight, s.indexOfRefraction});
-      origins_.push_back({ray, part.weight, true});
+      origins_.push_back({ray, each.weight, true});
     }
   }
 

@@ -92,7 +92,7 @@ bool FieldReader::readNumbers(std::string_view what, double* values, std::size_t
   return isGood;
 }
 
-/// What stands behind the word, up to the text's end, is no part of the number, but lets it be read
+/// What stands behind the word, up to the text's end, is not of the number, but lets it be read
 /// eight bytes at a time.
 bool FieldReader::readNumber(double& value, bool isSingle) {
   const char* const start = word_.data();

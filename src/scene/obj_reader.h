@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,7 +39,41 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
 /// there are any (and the log does not throw) the mesh is empty.
 MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place);
 
-// The steps of both, for their sources and tests.
+/// Finds the mesh files that a scene names and reads each of them once.
+class MeshLibrary {
+ public:
+  /// Reads on behalf of `scene` into `meshes`; both, and `log`, must outlive the library.
+  MeshLibrary(const SourceText& scene, MistakeLog& log,
+              std::vector<std::unique_ptr<MeshGeometry>>& meshes)
+      : scene_(scene), log_(log), meshes_(meshes) {}
+
+  /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be: beside
+  /// the scene file, in the current folder, or by the file's name alone beside the scene file. Null
+  /// where there were mistakes, which are reported the first time. `isNew` tells whether the file
+  /// was read just now. Not owned by the caller.
+  const MeshGeometry* find(std::string_view name, bool& isNew);
+
+  /// The file of each name that find() has found, as an absolute path without links, in the
+  /// alphabetical order of the names.
+  std::vector<std::string> files() const;
+
+ private:
+  std::string locate(std::string_view name, bool& isNew);
+  bool read(const std::string& path, const std::string& key, std::string_view name,
+            std::string& reason);
+  std::size_t placeOf(std::string_view name) const {
+    return std::size_t(name.data() - scene_.bytes().data());
+  }
+  std::vector<std::string> candidates(std::string_view name) const;
+
+  const SourceText& scene_;
+  MistakeLog& log_;
+  std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
+  std::map<std::string_view, std::string> byName_;     // the path of each name in the scene
+  std::map<std::string, const MeshGeometry*> byPath_;  // with links and dots resolved
+};
+
+// The steps of reading, for their sources and tests.
 
 /// Vertices and faces are numbered in 32 bits.
 inline constexpr std::size_t kMostObjElements = std::numeric_limits<std::uint32_t>::max();

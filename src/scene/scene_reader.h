@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/mesh_geometry.h"
 #include "scene/field_reader.h"
+#include "scene/obj_reader.h"
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
 #include "shading/optics.h"
@@ -54,10 +54,10 @@ class SceneNotes {
 
  private:
   void warnOfUnusedMaterials();
-  const char* startOf(const Object3D* object) const;
+  std::string_view fromStartOf(const Object3D* object) const;
 
   const SourceText& text_;
-  std::vector<std::pair<const char*, std::string>> warnings_;  // with their places
+  std::multimap<const char*, std::string> warnings_;  // by place
 };
 
 /// Reads materials, and keeps which one holds for the objects that follow.
@@ -103,40 +103,6 @@ class MaterialReader {
   std::size_t currentPlace_ = 0;       // its place in the list
   bool isMissed_ = false;
   bool areIndicesSure_ = true;  // false after a mistake among materials: an index may be right
-};
-
-/// Finds the mesh files that a scene names and reads each of them once.
-class MeshLibrary {
- public:
-  /// Reads on behalf of `scene` into `meshes`; both, and `log`, must outlive the library.
-  MeshLibrary(const SourceText& scene, MistakeLog& log,
-              std::vector<std::unique_ptr<MeshGeometry>>& meshes)
-      : scene_(scene), log_(log), meshes_(meshes) {}
-
-  /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be: beside
-  /// the scene file, in the current folder, or by the file's name alone beside the scene file. Null
-  /// where there were mistakes, which are reported the first time. `isNew` tells whether the file
-  /// was read just now. Not owned by the caller.
-  const MeshGeometry* find(std::string_view name, bool& isNew);
-
-  /// The file of each name that find() has found, as an absolute path without links, in the
-  /// alphabetical order of the names.
-  std::vector<std::string> files() const;
-
- private:
-  std::string locate(std::string_view name, bool& isNew);
-  bool read(const std::string& path, const std::string& key, std::string_view name,
-            std::string& reason);
-  std::size_t placeOf(std::string_view name) const {
-    return std::size_t(name.data() - scene_.bytes().data());
-  }
-  std::vector<std::string> candidates(std::string_view name) const;
-
-  const SourceText& scene_;
-  MistakeLog& log_;
-  std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
-  std::map<std::string_view, std::string> byName_;     // the path of each name in the scene
-  std::map<std::string, const MeshGeometry*> byPath_;  // with links and dots resolved
 };
 
 /// Reads objects: primitives, meshes, Groups and Transforms. Each function returns null where there

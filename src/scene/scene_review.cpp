@@ -56,10 +56,8 @@ double windingNumber(const MeshGeometry& mesh, const Vec3d& p) {
   return sum / kWhole;
 }
 
-struct NamedObject {
-  const Object3D* object = nullptr;  // not owned
-  const char* kind = nullptr;
-};
+/// The name of the object whose text this is.
+std::string kindAt(std::string_view start) { return std::string(Tokenizer(start).next()); }
 
 class Walk {
  public:
@@ -67,13 +65,13 @@ class Walk {
   explicit Walk(const SceneParser& scene);
 
   struct EnclosedLight {
-    int light;  // its number in the scene
-    NamedObject around;
+    int light;               // its number in the scene
+    const Object3D* around;  // not owned
   };
 
   /// Spheres, triangles and meshes wholly behind a perspective camera, in scene order. None where
   /// any object is a mirror, which may show them.
-  const std::vector<NamedObject>& behindCamera() const { return behind_; }
+  const std::vector<const Object3D*>& behindCamera() const { return behind_; }
 
   /// Point lights inside an opaque closed object (a sphere, a closed mesh) in which the camera is
   /// not, in the order of the lights, with the first such object. Lights are not looked for where
@@ -96,14 +94,14 @@ class Walk {
   void noteMaterial(const Material& material);
   bool mayEnclose(const Material& material);
   template <class IsInside>
-  void findEnclosed(const NamedObject& object, const Points& points, const IsInside& isInside);
+  void findEnclosed(const Object3D& object, const Points& points, const IsInside& isInside);
 
   bool isPerspective_ = false, hasMirror_ = false;
   const Material* lastMaterial_ = nullptr;
   std::size_t steps_ = 0;
-  std::vector<int> pointLights_;       // their numbers in the scene
-  std::vector<NamedObject> enclosed_;  // for each point light; null where nothing encloses it
-  std::vector<NamedObject> behind_;
+  std::vector<int> pointLights_;           // their numbers in the scene
+  std::vector<const Object3D*> enclosed_;  // for each point light what encloses it, or null
+  std::vector<const Object3D*> behind_;
 };
 
 Walk::Walk(const SceneParser& scene) {
@@ -125,7 +123,7 @@ Walk::Walk(const SceneParser& scene) {
 std::vector<Walk::EnclosedLight> Walk::enclosedLights() const {
   std::vector<EnclosedLight> lights;
   for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-    if (enclosed_[i].object) lights.push_back({pointLights_[i], enclosed_[i]});
+    if (enclosed_[i]) lights.push_back({pointLights_[i], enclosed_[i]});
   }
   return lights;
 }
@@ -169,10 +167,10 @@ void Walk::visitSphere(const Sphere& sphere, const View& view, const Points& poi
   const Vec3d& center = sphere.getCenter();
   const double radius = sphere.getRadius();
   if (isPerspective_ && dot(view.normal, center) + view.offset + radius * view.length <= 0) {
-    behind_.push_back({&sphere, "Sphere"});
+    behind_.push_back(&sphere);
   }
   if (!mayEnclose(*sphere.getMaterial())) return;
-  findEnclosed({&sphere, "Sphere"}, points, [&](const Vec3d& p) {
+  findEnclosed(sphere, points, [&](const Vec3d& p) {
     const Vec3d apart = p - center;
     return dot(apart, apart) < radius * radius;
   });
@@ -184,7 +182,7 @@ void Walk::visitTriangle(const Triangle& triangle, const View& view) {
   for (int i = 0; i < 3; ++i) {
     if (!(dot(view.normal, triangle.getVertex(i)) + view.offset <= 0)) return;
   }
-  behind_.push_back({&triangle, "Triangle"});
+  behind_.push_back(&triangle);
 }
 
 void Walk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
@@ -197,9 +195,9 @@ void Walk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& p
     const double n = view.normal[axis];
     farthest += n * (n > 0 ? box.high() : box.low())[axis];
   }
-  if (isPerspective_ && farthest <= 0) behind_.push_back({&mesh, "TriangleMesh"});
+  if (isPerspective_ && farthest <= 0) behind_.push_back(&mesh);
   if (!mayEnclose(*mesh.getMaterial())) return;
-  findEnclosed({&mesh, "TriangleMesh"}, points, [&](const Vec3d& p) {
+  findEnclosed(mesh, points, [&](const Vec3d& p) {
     constexpr double kAlmostAll = 0.999;  // rounding is far less, and so is no hole of any size
     if (!isIn(box, p)) return false;
     steps_ += kStepsPerFace * mesh.getGeometry().faceCount();
@@ -222,27 +220,23 @@ bool Walk::mayEnclose(const Material& material) {
 
 /// An eye in the same object sees what the lights in there shine on.
 template <class IsInside>
-void Walk::findEnclosed(const NamedObject& object, const Points& points, const IsInside& isInside) {
+void Walk::findEnclosed(const Object3D& object, const Points& points, const IsInside& isInside) {
   for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-    if (enclosed_[i].object || !isInside(points[i + 1])) continue;
+    if (enclosed_[i] || !isInside(points[i + 1])) continue;
     if (isPerspective_ && isInside(points[0])) return;
-    enclosed_[i] = object;
+    enclosed_[i] = &object;
   }
 }
 
 }  // namespace
 
 void SceneNotes::warn(const char* at, const std::string& message) {
-  warnings_.emplace_back(at,
-                         text_.name() + ":" + std::to_string(text_.lineAt(at)) + ": " + message);
+  warnings_.emplace(at, text_.name() + ":" + std::to_string(text_.lineAt(at)) + ": " + message);
 }
 
 std::vector<std::string> SceneNotes::inOrder() const {
-  auto sorted = warnings_;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Note& a, const Note& b) { return a.first < b.first; });
   std::vector<std::string> texts;
-  for (Note& warning : sorted) texts.push_back(std::move(warning.second));
+  for (const auto& [place, text] : warnings_) texts.push_back(text);
   return texts;
 }
 
@@ -269,16 +263,18 @@ void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brigh
   });
   warnOfUnusedMaterials();
   const Walk walk(scene);
-  warnOfSome(walk.behindCamera(), "objects behind the camera", [this](const NamedObject& each) {
-    return Note(startOf(each.object),
-                std::string("the ") + each.kind +
-                    " is wholly behind the camera, and there is no mirror to show it");
+  warnOfSome(walk.behindCamera(), "objects behind the camera", [this](const Object3D* object) {
+    const std::string_view start = fromStartOf(object);
+    return Note(
+        start.data(),
+        "the " + kindAt(start) + " is wholly behind the camera, and there is no mirror to show it");
   });
   warnOfSome(walk.enclosedLights(), "lights inside objects", [this](const auto& each) {
-    const std::size_t line = text_.lineAt(startOf(each.around.object));
+    const std::string_view start = fromStartOf(each.around);
     return Note(lightStarts[std::size_t(each.light)],
-                std::string("the light is inside the ") + each.around.kind + " of line " +
-                    std::to_string(line) + ": with shadows it lights nothing outside");
+                "the light is inside the " + kindAt(start) + " of line " +
+                    std::to_string(text_.lineAt(start.data())) +
+                    ": with shadows it lights nothing outside");
   });
 }
 
@@ -301,8 +297,10 @@ void SceneNotes::warnOfUnusedMaterials() {
   });
 }
 
-const char* SceneNotes::startOf(const Object3D* object) const {
+/// The text from the object's name on.
+std::string_view SceneNotes::fromStartOf(const Object3D* object) const {
   const auto found = std::find_if(objectStarts.begin(), objectStarts.end(),
                                   [&](const auto& each) { return each.first == object; });
-  return found == objectStarts.end() ? text_.bytes().data() : found->second;
+  const std::string_view bytes = text_.bytes();
+  return bytes.substr(std::size_t(found->second - bytes.data()));
 }

@@ -54,8 +54,8 @@ std::string lampScene(const std::string& text, const std::string& material = "Ma
   return "Lights { numLights 1 PointLight { position 0 0 0 color 3 3 3 } }\n" + scene;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
 }
 
 }  // namespace

@@ -37,10 +37,10 @@ std::string mistake(const std::string& text) {
   return "none";
 }
 
-void expectMistake(const std::string& text, int line, const std::string& part, int testLine) {
+void expectMistake(const std::string& text, int line, const std::string& piece, int testLine) {
   const std::string found = mistake(text);
   const bool isRight =
-      found.rfind("m.obj:" + std::to_string(line) + ": ", 0) == 0 && scenes::contains(found, part);
+      found.rfind("m.obj:" + std::to_string(line) + ": ", 0) == 0 && scenes::contains(found, piece);
   check::report(isRight, __FILE__, testLine, found + " for:\n" + text);
 }
 
@@ -117,7 +117,7 @@ TEST("every prefix of a mesh is read or refused cleanly") {
   CHECK(good > 10 && good < int(text.size()));
 }
 
-TEST("a mesh is found beside the scene, and by its last part; the same file is read once") {
+TEST("a mesh is found beside the scene, and by its name alone; the same file is read once") {
   const std::string name =
       scenes::lastPart(scenes::write("mesh.obj", kSquare + "f 1 2 3\nf 1 3 4"));
   const auto scene = scenes::parse(scenes::around(

@@ -29,7 +29,7 @@ inline std::string write(const std::string& name, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
-/// The part of a path that stands behind its last slash.
+/// What of a path stands behind its last slash.
 inline std::string lastPart(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 inline std::unique_ptr<SceneParser> parse(const std::string& text) {
@@ -63,22 +63,22 @@ inline std::string mistakesIn(const std::string& text) {
   return result;
 }
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+inline bool contains(const std::string& text, const std::string& piece) {
+  return text.find(piece) != std::string::npos;
 }
 
-/// Checks that the mistake in `text` stands on `line` and that its message holds `part`.
-inline void expectMistake(const std::string& text, int line, const std::string& part,
+/// Checks that the mistake in `text` stands on `line` and that its message holds `piece`.
+inline void expectMistake(const std::string& text, int line, const std::string& piece,
                           const char* file, int testLine) {
   const std::string mistake = mistakeIn(text);
   const bool isRight =
-      mistake.rfind(std::to_string(line) + ": ", 0) == 0 && contains(mistake, part);
+      mistake.rfind(std::to_string(line) + ": ", 0) == 0 && contains(mistake, piece);
   check::report(isRight, file, testLine,
-                "expected line " + std::to_string(line) + " and \"" + part + "\", found \"" +
+                "expected line " + std::to_string(line) + " and \"" + piece + "\", found \"" +
                     mistake + "\" for:\n" + text.substr(0, 2000));
 }
 
 }  // namespace scenes
 
-#define CHECK_MISTAKE(text, line, part) \
-  scenes::expectMistake((text), (line), (part), __FILE__, __LINE__)
+#define CHECK_MISTAKE(text, line, piece) \
+  scenes::expectMistake((text), (line), (piece), __FILE__, __LINE__)

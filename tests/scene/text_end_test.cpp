@@ -68,8 +68,8 @@ TEST("texts of all lengths are read without a look behind their end") {
     for (int pieces = random.index(8); pieces > 0; --pieces) text += kPieces[random.index(12)];
     text.resize(std::size_t(random.index(int(text.size()) + 1)));
     const std::string_view bytes = page.atEnd(text);
-    ObjChunk part;
-    readObjChunk(bytes, {}, ignore, part);
+    ObjChunk chunk;
+    readObjChunk(bytes, {}, ignore, chunk);
     Tokenizer tokenizer(bytes);
     while (!tokenizer.next().empty()) ++found;
     const char* const end = bytes.data() + bytes.size();
@@ -79,7 +79,7 @@ TEST("texts of all lengths are read without a look behind their end") {
       found += scanDouble(p, end, value) != nullptr;
       found += scanFloat(p, end, single) != nullptr;
     }
-    found += part.vertices.size() + part.faces.size();
+    found += chunk.vertices.size() + chunk.faces.size();
   }
   CHECK(found > 1'000'000);
 }

@@ -18,8 +18,8 @@ std::string with(const std::string& texture, const std::string& objects = "Mater
 
 /// The weight of material `index` of a scene in the texture `material` at a point.
 double weightIn(const SceneParser& scene, const Material& material, int index, const Vec3d& point) {
-  for (const WeightedMaterial& part : material.asTexture()->materialsAt(point)) {
-    if (part.material == scene.getMaterial(index)) return part.weight;
+  for (const WeightedMaterial& each : material.asTexture()->materialsAt(point)) {
+    if (each.material == scene.getMaterial(index)) return each.weight;
   }
   return 0;
 }
@@ -176,8 +176,8 @@ TEST("every beginning of a texture is read or refused cleanly") {
       "Marble { Transform { Scale 1 2 3 Rotate { 0 1 0 45 } } materialIndex 0 "
       "materialIndex 1 octaves 3 frequency 2 amplitude 5 }");
   for (std::size_t size = 0; size < text.size(); ++size) {
-    const std::string part = text.substr(0, size);
-    CHECK_EQUAL(scenes::mistakeIn(part) == "none", mistakesIn(part).empty());
+    const std::string beginning = text.substr(0, size);
+    CHECK_EQUAL(scenes::mistakeIn(beginning) == "none", mistakesIn(beginning).empty());
   }
   CHECK_EQUAL(mistakesIn(text), "");
 }
