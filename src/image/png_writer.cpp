@@ -128,7 +128,7 @@ class PngWriter {
   }
 
   /// What one thread does: the rows of a piece and those before it that fill deflate's window are
-  /// filtered, and its own ones compressed. zlib's two ends belong to the first and last piece.
+  /// filtered, and its own ones compressed. The first piece begins with zlib's head.
   Piece pieceAt(std::size_t index) const {
     const std::size_t top = index * rowsOfPiece_;
     const std::size_t bottom = std::min(top + rowsOfPiece_, std::size_t(image_.Height()));
