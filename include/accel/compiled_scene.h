@@ -5,15 +5,8 @@
 #include <string>
 
 #include "accel/test_tally.h"
-#include "geometry/object3d.h"
-
-/// Which instruction set the kernels use.
-enum class SimdLevel { automatic, baseline, avx2, avx512 };
-
-/// The best level that this processor has, at most `wanted` where that is not `automatic`.
-SimdLevel availableSimd(SimdLevel wanted);
-/// "baseline", "avx2" or "avx512" (for `automatic`, "auto").
-const char* nameOf(SimdLevel level);
+#include "geometry/ray_table.h"
+#include "math/simd_level.h"
 
 class CompiledScene : public Object3D, public BatchGeometry {
  public:
@@ -26,9 +19,12 @@ class CompiledScene : public Object3D, public BatchGeometry {
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;
-  void intersectBatch(const Ray* rays, const double* tmins, int count, Hit* hits) const override;
-  void occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const override;
+  void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const override;
+  void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const override;
+  void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
+                         Arena& arena) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+  SimdLevel simdLevel() const override;
 
   /// What was built, in one line: instruction set, trees, nodes, bytes.
   std::string describe() const;

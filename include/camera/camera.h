@@ -3,6 +3,26 @@
 #include "geometry/ray.h"
 #include "math/vec3.h"
 
+/// The formulas of an eye ray through (x, y), for any number of rays (see math/number.h).
+namespace eye_ray {
+
+/// Its direction in a perspective picture. `spread` is the length of the image's longer side at
+/// distance 1.
+template <class Number>
+Vec3<Number> direction(const Vec3<Number>& ahead, const Vec3<Number>& right, const Vec3<Number>& up,
+                       const Number& spread, const Number& x, const Number& y) {
+  return normalize(ahead + (right * x + up * y) * spread);
+}
+
+/// Its origin in an orthographic picture. `size` is the length of the image's longer side.
+template <class Number>
+Vec3<Number> origin(const Vec3<Number>& center, const Vec3<Number>& right, const Vec3<Number>& up,
+                    const Number& size, const Number& x, const Number& y) {
+  return center + (right * x + up * y) * size;
+}
+
+}  // namespace eye_ray
+
 class Camera {
  public:
   virtual ~Camera() = default;
@@ -18,6 +38,9 @@ class Camera {
   const Vec3d& getCenter() const { return center_; }
   /// A unit vector.
   const Vec3d& getDirection() const { return direction_; }
+  /// Unit vectors across the direction, at right angles to each other.
+  const Vec3d& getRight() const { return right_; }
+  const Vec3d& getUp() const { return up_; }
 
  protected:
   /// `up` need not be perpendicular to `direction`, but must not be parallel to it; neither may be
@@ -37,6 +60,8 @@ class OrthographicCamera : public Camera {
   Ray generateRay(const Vec2d& point) const override;
   /// -infinity.
   double getTMin() const override;
+  /// The length in the world of the longer side of the image.
+  double getSize() const { return size_; }
 
  private:
   double size_;
@@ -50,7 +75,9 @@ class PerspectiveCamera : public Camera {
 
   Ray generateRay(const Vec2d& point) const override;
   double getTMin() const override { return 0; }
+  /// 2 tan(angle / 2): the length of the image's longer side at distance 1.
+  double getSpread() const { return spread_; }
 
  private:
-  double spread_;  // 2 tan(angle / 2): the image's longer side at distance 1
+  double spread_;
 };

@@ -1,8 +1,6 @@
 // Hit: the nearest surface found so far along a ray.
 // getT() is also the upper bound of the search: intersect() only reports what lies nearer.
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -17,12 +15,17 @@ struct Primitive {
   double magnitude = 0;              ///< as magnitudeOf gives it
 };
 
-/// The largest number that took part in finding `point` = ray.pointAtParameter(t), counted in
-/// units of t: rounding errors are proportional to it. `extent` is the largest number that
-/// describes the primitive (a coordinate, a radius, an offset), in the space of `ray`.
+/// The largest number that took part in finding `point` = origin + t direction, counted in units of
+/// t: rounding errors are proportional to it. `extent` is the largest number that describes the
+/// primitive (a coordinate, a radius, an offset), in the space of the ray.
+template <class Number>
+Number magnitudeOf(const Number& t, const Vec3<Number>& point, const Vec3<Number>& origin,
+                   const Vec3<Number>& direction, const Number& extent) {
+  const Number largest = larger(larger(extent, maxAbs(origin)), maxAbs(point));
+  return larger(absolute(t), largest / length(direction));
+}
 inline double magnitudeOf(double t, const Vec3d& point, const Ray& ray, double extent) {
-  const double largest = std::max({extent, maxAbs(ray.getOrigin()), maxAbs(point)});
-  return std::max(std::fabs(t), largest / length(ray.getDirection()));
+  return magnitudeOf(t, point, ray.getOrigin(), ray.getDirection(), extent);
 }
 
 class Hit {

@@ -8,6 +8,23 @@
 
 #include "geometry/object3d.h"
 
+/// The formula of a plane, for any number of rays (see math/number.h).
+namespace plane {
+
+/// Finds t = (offset - n . origin) / (n . direction). True where tmin < t < tmax and the ray does not leave this very plane; elsewhere `t`
+/// is anything. A ray parallel to the plane never meets it.
+template <class Number>
+MaskOf<Number> nearestRoot(const Vec3<Number>& normal, const Number& offset,
+                           const Vec3<Number>& origin, const Vec3<Number>& direction,
+                           const Number& tmin, const Number& tmax, const MaskOf<Number>& leaves,
+                           Number& t) {
+  const Number approach = dot(normal, direction);
+  t = (offset - dot(normal, origin)) / approach;
+  return (approach != 0) & (t > tmin) & (t < tmax) & !leaves;
+}
+
+}  // namespace plane
+
 class Plane : public Object3D {
  public:
   /// The normal is normalised first (it must not be zero); offset is the signed distance of the
@@ -40,15 +57,9 @@ class Plane : public Object3D {
   }
 
  private:
-  /// Finds that t where tmin < t < tmax and the ray does not start on the plane. A ray parallel to
-  /// the plane never meets it.
   bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
-    if (ray.leaves(this)) return false;
-    const double approach = dot(normal_, ray.getDirection());
-    const double root = (offset_ - dot(normal_, ray.getOrigin())) / approach;
-    if (approach == 0 || !(root > tmin && root < tmax)) return false;
-    t = root;
-    return true;
+    return plane::nearestRoot(normal_, offset_, ray.getOrigin(), ray.getDirection(), tmin, tmax,
+                              ray.leaves(this), t);
   }
 
   Vec3d normal_;

@@ -2,6 +2,45 @@
 #pragma once
 #include "geometry/object3d.h"
 
+/// The formulas of a sphere, for any number of rays (see math/number.h).
+namespace sphere {
+
+/// Finds the roots of |origin + t direction - center| = radius as middle - half and middle + half;
+/// false, and `half` anything, where the ray passes by. The discriminant is taken from the vector
+/// between the centre and the ray's nearest point, which keeps its digits for a far or a huge
+/// sphere. Source: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere
+/// Intersection", Ray Tracing Gems, 2019.
+template <class Number>
+MaskOf<Number> roots(const Vec3<Number>& center, const Number& radius, const Vec3<Number>& origin,
+                     const Vec3<Number>& direction, Number& middle, Number& half) {
+  const Vec3<Number> toCenter = center - origin;
+  const Number lengthSquared = dot(direction, direction);
+  middle = dot(toCenter, direction) / lengthSquared;
+  const Vec3<Number> beside = toCenter - direction * middle;
+  const Number halfChordSquared = radius * radius - dot(beside, beside);
+  const MaskOf<Number> meets = halfChordSquared >= 0;
+  half = 0;
+  if (any(meets)) half = squareRoot(halfChordSquared / lengthSquared);
+  return meets;
+}
+
+/// Finds the least t with tmin < t < tmax at which the ray meets the sphere; `t` is anything where
+/// the result is false. The one function that decides a sphere hit. `leaves` says which rays start
+/// on this sphere: they meet it again only where they come out on its other side.
+template <class Number>
+MaskOf<Number> nearestRoot(const Vec3<Number>& center, const Number& radius,
+                           const Vec3<Number>& origin, const Vec3<Number>& direction,
+                           const Number& tmin, const Number& tmax, const MaskOf<Number>& leaves,
+                           Number& t) {
+  Number middle, half;
+  const MaskOf<Number> meets = roots(center, radius, origin, direction, middle, half);
+  const Number near = middle - half, far = middle + half;
+  t = choose(leaves | !(near > tmin), far, near);
+  return meets & !(leaves & (middle <= 0)) & (t > tmin) & (t < tmax);
+}
+
+}  // namespace sphere
+
 class Sphere : public Object3D {
  public:
   /// radius > 0, in the units of the space the sphere stands in. The material is not owned.
@@ -20,7 +59,6 @@ class Sphere : public Object3D {
 
  private:
   bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
-  bool roots(const Ray& ray, double& middle, double& half) const;
 
   Vec3d center_;
   double radius_;

@@ -4,6 +4,18 @@
 #pragma once
 #include "geometry/object3d.h"
 
+/// The magnitude (Hit::getMagnitude) of a hit at `point` of a ray, both outside of a Transform of
+/// this inverse, inside of which it is `within`: the largest of the numbers on both sides of the
+/// map, and inside it. For any number of rays (see math/number.h).
+template <class Number>
+Number outsideMagnitude(const Matrix& inverse, const Number& within, const Vec3<Number>& point,
+                        const Vec3<Number>& origin, const Vec3<Number>& direction) {
+  const Number outside = larger(maxAbs(origin), maxAbs(point)) / length(direction);
+  const Number between =
+      inverse.magnitudeAt(point) / length(inverse.transformDirection(direction));
+  return larger(within, larger(outside, between));
+}
+
 class Transform : public Object3D {
  public:
   /// `matrix` takes the object's space to the space of this Transform and must have an inverse

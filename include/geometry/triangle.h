@@ -9,20 +9,38 @@
 // Ray/Triangle Intersection", 2013; the exact product is Dekker's, "A Floating-Point Technique for
 // Extending the Available Precision", 1971.
 #pragma once
-#include <algorithm>
+#include <type_traits>
 
 #include "geometry/object3d.h"
 
 namespace triangle {
 
 /// Twice the area times the normal; the side from which a, b, c run counter-clockwise.
-inline Vec3d areaNormal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+template <class Number>
+Vec3<Number> areaNormal(const Vec3<Number>& a, const Vec3<Number>& b, const Vec3<Number>& c) {
+  static_assert(!std::is_same_v<Number, float>, "areas are not computed in single precision");
   return cross(b - a, c - a);
 }
 
 /// The largest coordinate of the three, by size.
-inline double extent(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return std::max({maxAbs(a), maxAbs(b), maxAbs(c)});
+template <class Number>
+Number extent(const Vec3<Number>& a, const Vec3<Number>& b, const Vec3<Number>& c) {
+  return larger(larger(maxAbs(a), maxAbs(b)), maxAbs(c));
+}
+
+/// Where the ray meets the plane of a triangle, kept between the nearest and the farthest vertex;
+/// `normal` is the area normal, and the vertices are relative to the ray's origin. False, and `t`
+/// anything, for a triangle without area and where the numbers have overflowed.
+template <class Number>
+MaskOf<Number> distance(const Vec3<Number>& a, const Vec3<Number>& b, const Vec3<Number>& c,
+                        const Vec3<Number>& normal, const Vec3<Number>& direction, Number& t) {
+  const Number lengthSquared = dot(direction, direction);
+  const Number ta = dot(a, direction), tb = dot(b, direction), tc = dot(c, direction);
+  const Number nearest = smaller(smaller(ta, tb), tc) / lengthSquared;
+  const Number farthest = larger(larger(ta, tb), tc) / lengthSquared;
+  const Number root = dot(normal, a) / dot(normal, direction);
+  t = choose(root >= nearest, smaller(root, farthest), nearest);
+  return isNotZero(normal) & (nearest <= farthest);
 }
 
 /// Finds where the ray meets triangle abc (either side); on success stores the parameter in `t`,

@@ -4,6 +4,10 @@
 #include "math/vec3.h"
 
 class Matrix {
+  /// Not for float: what is stored in single precision is moved in double, and so converted first.
+  template <class Number>
+  using Moved = std::enable_if_t<!std::is_same_v<Number, float>, Vec3<Number>>;
+
  public:
   /// The identity.
   Matrix();
@@ -26,20 +30,23 @@ class Matrix {
   /// Element in row 0..2, column 0..3.
   double at(int row, int column) const { return m_[row][column]; }
 
-  Vec3d transformPoint(const Vec3d& p) const {
+  template <class Number = double>
+  Moved<Number> transformPoint(const Vec3<Number>& p) const {
     return {m_[0][0] * p.x() + m_[0][1] * p.y() + m_[0][2] * p.z() + m_[0][3],
             m_[1][0] * p.x() + m_[1][1] * p.y() + m_[1][2] * p.z() + m_[1][3],
             m_[2][0] * p.x() + m_[2][1] * p.y() + m_[2][2] * p.z() + m_[2][3]};
   }
   /// The translation does not move a direction; its length is not kept.
-  Vec3d transformDirection(const Vec3d& d) const {
+  template <class Number = double>
+  Moved<Number> transformDirection(const Vec3<Number>& d) const {
     return {m_[0][0] * d.x() + m_[0][1] * d.y() + m_[0][2] * d.z(),
             m_[1][0] * d.x() + m_[1][1] * d.y() + m_[1][2] * d.z(),
             m_[2][0] * d.x() + m_[2][1] * d.y() + m_[2][2] * d.z()};
   }
   /// Multiplies by the transpose of the linear part. Called on the inverse of a map it takes
   /// normals along with that map; the result is not a unit vector.
-  Vec3d transposeTransformDirection(const Vec3d& n) const {
+  template <class Number = double>
+  Moved<Number> transposeTransformDirection(const Vec3<Number>& n) const {
     return {m_[0][0] * n.x() + m_[1][0] * n.y() + m_[2][0] * n.z(),
             m_[0][1] * n.x() + m_[1][1] * n.y() + m_[2][1] * n.z(),
             m_[0][2] * n.x() + m_[1][2] * n.y() + m_[2][2] * n.z()};
@@ -51,7 +58,16 @@ class Matrix {
 
   /// The largest sum of absolute terms of any row at point p: what the rounding error of
   /// transformPoint(p) is proportional to.
-  double magnitudeAt(const Vec3d& p) const;
+  template <class Number = double>
+  Number magnitudeAt(const Vec3<Number>& p) const {
+    Number most = 0;
+    for (const auto& row : m_) {
+      const Number sum = absolute(row[0] * p.x()) + absolute(row[1] * p.y()) +
+                         absolute(row[2] * p.z()) + (row[3] < 0 ? -row[3] : row[3]);
+      most = larger(most, sum);
+    }
+    return most;
+  }
 
  private:
   double m_[3][4];

@@ -1,26 +1,31 @@
 // Vec3: a point, a direction, a normal or a colour, three components of one type; and Vec2, a place
 // on a picture.
 // Convention: Vec3f holds colours, Vec3d holds geometry. Widening is implicit, narrowing is not.
+// Vec3<lanes::Doubles> is the vectors of several rays, for formulas of any width: see number.h.
 #pragma once
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <type_traits>
 
-#include "math/arithmetic.h"
+#include "math/number.h"
 
 template <class T>
 class Vec3 {
  public:
-  constexpr Vec3() : v_{0, 0, 0} {}
+  constexpr Vec3() : v_{} {}
   constexpr Vec3(T x, T y, T z) : v_{x, y, z} {}
 
   /// Widening (float to double) is exact and implicit.
-  template <class U, std::enable_if_t<(sizeof(U) < sizeof(T)), int> = 0>
+  template <class U,
+            std::enable_if_t<std::is_floating_point_v<T> && (sizeof(U) < sizeof(T)), int> = 0>
   constexpr Vec3(const Vec3<U>& other) : v_{T(other.x()), T(other.y()), T(other.z())} {}
   /// Narrowing (double to float) rounds each component to nearest and must be asked for.
   template <class U, std::enable_if_t<(sizeof(U) > sizeof(T)), int> = 0>
   constexpr explicit Vec3(const Vec3<U>& other) : v_{T(other.x()), T(other.y()), T(other.z())} {}
+
+  /// From three doubles in a row, the same ones for every ray.
+  static Vec3 of(const double* three) { return {three[0], three[1], three[2]}; }
 
   constexpr T x() const { return v_[0]; }
   constexpr T y() const { return v_[1]; }
@@ -111,7 +116,7 @@ constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
 /// range overflow to infinity.
 template <class T>
 T length(const Vec3<T>& a) {
-  return std::sqrt(dot(a, a));
+  return squareRoot(dot(a, a));
 }
 
 /// The unit vector along `a`, to within rounding. A zero vector, and one so short that its square
@@ -123,23 +128,39 @@ Vec3<T> normalize(const Vec3<T>& a) {
 
 /// The largest absolute component; 0 only for the zero vector. NaNs are passed over.
 template <class T>
-constexpr T maxAbs(const Vec3<T>& a) {
-  T m = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const T c = a[axis] < 0 ? -a[axis] : a[axis];
-    if (c > m) m = c;
-  }
-  return m;
+T maxAbs(const Vec3<T>& a) {
+  return larger(larger(larger(T(0), absolute(a.x())), absolute(a.y())), absolute(a.z()));
 }
 
 /// The smaller, and the larger, of each pair of components. Where one is NaN, that of `a`.
 template <class T>
-constexpr Vec3<T> least(const Vec3<T>& a, const Vec3<T>& b) {
-  return {std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::min(a.z(), b.z())};
+Vec3<T> least(const Vec3<T>& a, const Vec3<T>& b) {
+  return {smaller(a.x(), b.x()), smaller(a.y(), b.y()), smaller(a.z(), b.z())};
 }
 template <class T>
-constexpr Vec3<T> largest(const Vec3<T>& a, const Vec3<T>& b) {
-  return {std::max(a.x(), b.x()), std::max(a.y(), b.y()), std::max(a.z(), b.z())};
+Vec3<T> largest(const Vec3<T>& a, const Vec3<T>& b) {
+  return {larger(a.x(), b.x()), larger(a.y(), b.y()), larger(a.z(), b.z())};
+}
+
+/// Functions of number.h, of each component.
+template <class T>
+Vec3<T> absolute(const Vec3<T>& a) {
+  return {absolute(a.x()), absolute(a.y()), absolute(a.z())};
+}
+template <class T>
+Vec3<T> roundedToFloat(const Vec3<T>& a) {
+  return {roundedToFloat(a.x()), roundedToFloat(a.y()), roundedToFloat(a.z())};
+}
+template <class T>
+Vec3<T> choose(const MaskOf<T>& where, const Vec3<T>& a, const Vec3<T>& b) {
+  return {choose(where, a.x(), b.x()), choose(where, a.y(), b.y()), choose(where, a.z(), b.z())};
+}
+
+/// Where any component is other than 0; a NaN is.
+template <class T>
+MaskOf<T> isNotZero(const Vec3<T>& a) {
+  const T x = a.x(), y = a.y(), z = a.z();
+  return (x != 0) | (y != 0) | (z != 0);
 }
 
 /// True when any component is greater than 0: such a colour reflects or lets something through.

@@ -6,6 +6,7 @@
 #pragma once
 #include <vector>
 
+#include "geometry/ray_table.h"
 #include "render/shader.h"
 #include "render/surface.h"
 
@@ -26,17 +27,26 @@ class Interfaces {
   bool examine(const Ray& ray, double tmax, Hit& hit, Interface& interface,
                std::vector<Hit>* passed = nullptr) const;
 
+  /// The same for all rays of a table, in which tmax is the t of the nearest surface: stores in
+  /// found[row] what lies on both sides; where there is no surface after all, the row of `hits`
+  /// has none. `batches`, which may be null, answers as the geometry does.
+  void examineAll(const BatchGeometry* batches, const RayTable& rays, HitTable& hits,
+                  Interface* found, Arena& arena) const;
+
   /// True where every interface is plain: examine would only call plainInterface.
   bool arePlain() const { return !tracksMedia_; }
   /// Index 1 on one side and the material's own on the other.
-  static const Interface& plainInterface(const Ray& ray, const Hit& hit) {
+  /// `approach` is n.v, below 0 where the ray comes from outside.
+  static const Interface& plainInterface(double approach) {
     static const Interface kEntered{{false, 1}, {true, 1}}, kLeft{{true, 1}, {false, 1}};
-    return dot(hit.getNormal(), ray.getDirection()) < 0 ? kEntered : kLeft;
+    return approach < 0 ? kEntered : kLeft;
   }
 
  private:
   bool dependsOnMedia(const Hit& hit) const;
   double reachOf(const Hit& hit) const;
+  bool walk(const Ray& ray, double tmax, const Media& media, double start, Hit& hit,
+            Interface& interface, std::vector<Hit>* passed) const;
   bool isThere(const Media& media, double start, const Hit& hit, Interface& interface) const;
 
   const SolidObjects* solids_;  // not owned; null where nobody has listed them

@@ -17,8 +17,8 @@ class Shader {
   Shader(const SceneParser& scene, const RenderOptions& options);
 
   /// The ambient term: ambient light times diffuse colour.
-  Vec3d ambient(const Surface& s) const {
-    return Vec3d(scene_->getAmbientLight()) * Vec3d(s.hit.getMaterial()->getDiffuseColor());
+  Vec3d ambient(const Material& material) const {
+    return Vec3d(scene_->getAmbientLight()) * Vec3d(material.getDiffuseColor());
   }
 
   /// Light number `index` of the scene as the surface sees it. Made in place, as all that follows:
@@ -36,10 +36,30 @@ class Shader {
   Outcome mirrored(const Surface& s, TracedRay& next) const;
   Outcome refracted(const Surface& s, TracedRay& next) const;
 
-  /// From which t on a unit ray that leaves the hit looks for surfaces.
-  float epsilonAt(const Hit& hit) const {
+  /// Whether lights see the surface's other side: with `shadeBack` the one that the ray sees.
+  /// `approach` is n.v, below 0 where the ray comes from outside.
+  bool isTurned(double approach) const { return options_.shadeBack && approach > 0; }
+  /// False where no surface of the material sends a ray of that kind on.
+  bool sends(RayKind kind, const Material& material) const;
+  /// What of a mirrored, or of a refracted, ray's colour goes back along the ray that met the
+  /// surface.
+  Vec3f factorOf(RayKind kind, const Material& material, const Interface& interface,
+                 double approach) const {
+    return kind == RayKind::mirror ? mirrorFactor(material, interface, approach)
+                                   : refractedFactor(material, interface, approach);
+  }
+  /// Whether a ray of that factor follows one of `weight` after so many bounces; unless the factor
+  /// is black, stores in `nextWeight` what it weighs. Here recursion ends.
+  Outcome follow(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
+                 float& nextWeight) const;
+  /// Between equal indices a refracted ray goes straight on, to the last bit, where media are
+  /// looked after.
+  bool keepsStraight() const { return options_.nestedDielectrics || options_.fresnel; }
+
+  /// From which t on a unit ray that leaves a hit of that magnitude looks for surfaces.
+  float epsilonAt(double magnitude) const {
     if (options_.epsilon.kind == Epsilon::Kind::fixed) return float(options_.epsilon.value);
-    return float(hit.getMagnitude() * kRounding);
+    return float(magnitude * kRounding);
   }
   /// Relative to Hit::getMagnitude, 4.7e-10: far above rounding, below the promised 1e-9.
   static constexpr double kRounding = 0x1p-31;
@@ -48,9 +68,10 @@ class Shader {
   const RenderOptions& options() const { return options_; }
 
  private:
+  Vec3f mirrorFactor(const Material& material, const Interface& interface, double approach) const;
+  Vec3f refractedFactor(const Material& material, const Interface& interface,
+                        double approach) const;
   Outcome follow(const Surface& s, const Vec3f& factor, TracedRay& next) const;
-  Vec3f mirrorFactor(const Surface& s) const;
-  Vec3f refractedFactor(const Surface& s) const;
   void setLeaving(const Hit& hit, const Vec3d& direction, Ray& ray) const;
 
   const SceneParser* scene_;  // not owned

@@ -44,6 +44,9 @@ struct LightSample {
   LightSample() {}         // were it defaulted, it would first clear all bytes, slowly
 };
 
+enum class RayKind { eye, mirror, refracted };
+inline constexpr int kRayKinds = 3;
+
 /// What becomes of a ray that could continue where another one ends.
 enum class Outcome {
   none,            ///< the material sends none
@@ -62,6 +65,3 @@ struct TracedRay {
   float indexOfRefraction = 1;  ///< of the medium it travels in
   Vec3f factor{1, 1, 1};        ///< of its colour in that of the ray it continues
 };
-
-/// Rays that are traced together, at most kBatchSize, all after the same number of bounces.
-using RayBatch = std::vector<TracedRay>;

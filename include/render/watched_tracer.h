@@ -7,9 +7,6 @@
 #pragma once
 #include "render/ray_tracer.h"
 
-enum class RayKind { eye, mirror, refracted };
-inline constexpr int kRayKinds = 3;
-
 /// The terms of the sum.
 enum class ColorTerm { ambient, lights, mirror, transmitted };
 

@@ -1,39 +1,59 @@
 // WaveTracer: the colours of many rays at once, each with the very bits that a RayTracer gives.
 //
-// It walks the same tree of rays breadth first: all rays of a batch go through the scene together,
-// then their shadow rays, light by light, then all mirrored and at last all refracted rays, each as
-// a batch of its own. Rays that go together share the nodes that they visit. The terms are the
-// Shader's, summed in the RayTracer's order.
+// It walks the same tree of rays breadth first. A generation of rays is a table (WaveRays), and
+// every stage is a loop over its columns: all rays go through the scene together, then their shadow
+// rays, light by light; then all mirrored and after them all refracted rays are the next
+// generation. Formulas are those of the scalar classes, several rows at a time; sums grow in the
+// RayTracer's order. A material, a light or an interface that has no wide form is asked row by row.
 #pragma once
+#include "geometry/ray_table.h"
 #include "render/ray_counts.h"
 #include "render/ray_tracer.h"
 
+struct MaterialGroup;
+struct WaveHit;
+struct WaveKernels;
+struct WaveLight;
+struct WaveRays;
+struct WaveSurfaces;
+
+/// For one thread.
 class WaveTracer {
  public:
-  /// Traces as `tracer` would, and leaves batches of few rays to it. Where `counts` is not null,
-  /// all rays are counted there, and `tracer` is a WatchedTracer that tells the same `counts`.
-  /// Neither is owned.
+  /// Traces as `tracer` would, and leaves a few rays to it. Where `counts` is not null, all rays
+  /// are counted there, and `tracer` is a WatchedTracer that tells the same `counts`. Neither is
+  /// owned.
   explicit WaveTracer(const RayTracer& tracer, RayCounts* counts = nullptr);
 
+  /// Memory for the tables that trace takes.
+  Arena& arena() { return arena_; }
+  const WaveKernels& kernels() const { return kernels_; }
+
   /// colors[i] becomes the colour that arrives along ray i, all of them after `bounces` others; in
-  /// hits[i], passed in fresh, what it meets is stored.
-  void trace(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const;
+  /// `hits` is stored what they meet, and in rays.tmax where.
+  void trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* colors);
   /// Finds what eye rays meet, and no colours.
-  void intersect(const RayBatch& eyeRays, Hit* hits) const;
+  void intersect(WaveRays& eyeRays, HitTable& hits);
 
  private:
-  class SurfaceBatch;
-  struct Branches;
+  class Branches;
+  struct Generation;
 
-  void traceOneByOne(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const;
-  std::vector<Interface> meet(const RayBatch& batch, Hit* hits) const;
-  void shade(const std::vector<Surface>& surfaces, Vec3f* colors) const;
-  void addLight(int index, const std::vector<Surface>& surfaces, std::vector<Vec3d>& sums) const;
-  void findVisible(const std::vector<Surface>& surfaces, const std::vector<std::size_t>& places,
-                   const std::vector<LightSample>& samples, Vec3f* visible) const;
-  void addBranches(const Branches& branches, int bounces, std::vector<Vec3d>& sums) const;
+  void traceOneByOne(const WaveRays& rays, int bounces, HitTable& hits, Vec3f* colors);
+  const Interface* meet(WaveRays& rays, HitTable& hits);
+  void shade(const Generation& generation, WaveHit* met, int count, Vec3f* colors, Vec3d* mixtures);
+  void setSides(const Generation& generation, WaveSurfaces& surfaces);
+  void addLight(int index, const Generation& generation, const WaveSurfaces& surfaces);
+  void sampleLight(int index, const Generation& generation, const WaveSurfaces& surfaces,
+                   WaveLight& light) const;
+  RowList findVisible(WaveLight& light);
+  void reflect(const MaterialGroup& group, const Generation& generation, const WaveLight& light,
+               const RowList& rows, const WaveSurfaces& surfaces) const;
 
   const RayTracer& tracer_;       // not owned
   const BatchGeometry* batches_;  // the tracer's geometry; null where it is asked ray by ray
   RayCounts* counts_;             // not owned; may be null
+  const WaveKernels& kernels_;
+  const bool hasSources_;
+  Arena arena_;
 };

@@ -6,6 +6,21 @@
 
 #include "math/vec3.h"
 
+/// The formula of a point light at `position`, for any number of places (see math/number.h): stores
+/// the unit direction to it, 0 at the light itself, the colour that arrives, dimmed by
+/// 1 / (a0 + a1 s + a2 s^2) at distance s and rounded to float, and s. `attenuation` is a0, a1, a2.
+template <class Number>
+void illuminate(const Vec3<Number>& position, const Vec3<Number>& color,
+                const Vec3<Number>& attenuation, const Vec3<Number>& point,
+                Vec3<Number>& dirToLight, Vec3<Number>& arriving, Number& distance) {
+  const Vec3<Number> way = position - point;
+  const Number s = length(way);
+  dirToLight = choose(s > 0, way / s, Vec3<Number>());
+  const Number dimming = attenuation.x() + attenuation.y() * s + attenuation.z() * (s * s);
+  arriving = roundedToFloat(color / dimming);
+  distance = s;
+}
+
 class Light {
  public:
   virtual ~Light() = default;
@@ -56,12 +71,10 @@ class PointLight : public Light {
   /// At the light's own position the direction is the zero vector: no surface is lit there.
   void getIllumination(const Vec3d& point, Vec3d& dirToLight, Vec3f& color,
                        double& distanceToLight) const override {
-    const Vec3d way = position_ - point;
-    const double s = length(way);
-    dirToLight = s > 0 ? way / s : Vec3d();
-    const double dimming = attenuation_.x() + attenuation_.y() * s + attenuation_.z() * (s * s);
-    color = Vec3f(Vec3d(color_) / dimming);
-    distanceToLight = s;
+    Vec3d arriving;
+    illuminate(position_, Vec3d(color_), attenuation_, point, dirToLight, arriving,
+               distanceToLight);
+    color = Vec3f(arriving);
   }
 
  private:

@@ -1,6 +1,14 @@
 // Optics of a smooth surface: the mirrored and the refracted direction, and how much light goes
-// which way. Directions are templates over the component type: the assignment calls them in float,
-// the tracer in double.
+// which way. Templates over the number type (math/number.h): the assignment calls them in float,
+// the tracer in double, of one ray or several.
+//
+// How much is mirrored depends on whether the wave swings across the plane of incidence or along
+// it. With c the cosine outside, n the relative index and g the cosine inside times n, so that
+// g^2 = n^2 - 1 + c^2 by Snell's law, the mirrored amplitudes are
+//   across  (g - c) / (g + c)
+//   along   across * (c (g + c) - 1) / (c (g - c) + 1)
+// and the energy is the mean of their squares, since unpolarised light is half of each. A g^2 that
+// is not above 0 means that no ray goes in: total reflection.
 #pragma once
 #include "math/vec3.h"
 
@@ -11,22 +19,29 @@ Vec3<T> mirrorDirection(const Vec3<T>& normal, const Vec3<T>& incoming) {
   return incoming - normal * (2 * dot(incoming, normal));
 }
 
-/// Snell's law: finds the direction after passing from a medium of index `index_i` into one of
-/// index `index_t`. `normal` and `incoming` are unit vectors, the normal on the incoming side
-/// (normal . incoming <= 0). Stores the unit result in `transmitted` and returns true; on total
-/// internal reflection returns false and leaves `transmitted` as it was.
+/// Snell's law: finds the unit direction after passing into a medium whose index of refraction is
+/// 1 / `ratio` of that before. `normal` and `incoming` are unit vectors, the normal on the incoming
+/// side (normal . incoming <= 0). False, and `direction` anything, on total internal reflection.
 /// Source: Heckbert, "Derivation of Refraction Formulas", in Glassner, "An Introduction to Ray
 /// Tracing", 1989.
+template <class Number>
+MaskOf<Number> refractedDirection(const Vec3<Number>& normal, const Vec3<Number>& incoming,
+                                  const Number& ratio, Vec3<Number>& direction) {
+  const Number cosIncoming = -dot(normal, incoming);
+  const Number cosSquared = 1 - ratio * ratio * (1 - cosIncoming * cosIncoming);
+  const MaskOf<Number> passes = cosSquared >= 0;
+  if (!any(passes)) return passes;
+  direction = normalize(incoming * ratio + normal * (ratio * cosIncoming - squareRoot(cosSquared)));
+  return passes;
+}
+
+/// The same from a medium of index `index_i` into one of index `index_t`: stores the result in
+/// `transmitted` and returns true; on total internal reflection returns false and leaves
+/// `transmitted` as it was.
 template <class T>
 bool transmittedDirection(const Vec3<T>& normal, const Vec3<T>& incoming, float index_i,
                           float index_t, Vec3<T>& transmitted) {
-  const T ratio = T(index_i) / T(index_t);
-  const T cosIncoming = -dot(normal, incoming);
-  const T cosSquared = 1 - ratio * ratio * (1 - cosIncoming * cosIncoming);
-  if (!(cosSquared >= 0)) return false;
-  transmitted =
-      normalize(incoming * ratio + normal * (ratio * cosIncoming - std::sqrt(cosSquared)));
-  return true;
+  return refractedDirection(normal, incoming, T(index_i) / T(index_t), transmitted);
 }
 
 /// The part of unpolarised light that the border to a medium of relative index `index` > 0 mirrors;
@@ -34,12 +49,26 @@ bool transmittedDirection(const Vec3<T>& normal, const Vec3<T>& incoming, float 
 /// index 1, ((n - 1) / (n + 1))^2 at cosine 1, 1 at cosine 0, and 1 at total reflection (index <
 /// 1). Source: Fresnel's equations as in Cook and Torrance, "A Reflectance Model for Computer
 /// Graphics", 1982.
-double dielectricReflectance(double cosine, double index);
+template <class Number>
+Number dielectricReflectance(const Number& cosine, const Plain<Number>& index) {
+  // (n - 1) (n + 1) and not n^2 - 1, which loses digits for an index near 1.
+  const Number c = cosine, squared = (index - 1) * (index + 1) + c * c;
+  const Number g = squareRoot(squared);
+  const Number across = (g - c) / (g + c);
+  const Number along = across * ((c * (g + c) - 1) / (c * (g - c) + 1));
+  const Number partly = (across * across + along * along) / 2;
+  return choose(index == 1, Number(0), choose(squared <= 0, Number(1), partly));
+}
 
 /// c + (1 - c) (1 - cosine)^5 for each component of `normalReflectance` c, what is mirrored at
 /// normal incidence (each 0..1). `cosine` as above; above 1, as rounding may leave it, it counts as
 /// 1. Source: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994.
-Vec3d schlickReflectance(double cosine, const Vec3d& normalReflectance);
+template <class Number>
+Vec3<Number> schlickReflectance(const Plain<Number>& cosine,
+                                const Vec3<Number>& normalReflectance) {
+  const Number x = larger(Number(0), 1 - cosine), rise = x * x * (x * x) * x;
+  return normalReflectance + (Vec3<Number>(1, 1, 1) - normalReflectance) * rise;
+}
 
 /// The reflectance of a surface, known by its index of refraction or by its colour.
 class Fresnel {
@@ -51,7 +80,11 @@ class Fresnel {
   static Fresnel ofColor(const Vec3f& normalReflectance) { return Fresnel(0, normalReflectance); }
 
   /// What is mirrored of light that meets the normal at the angle with this cosine, 0..1.
-  Vec3d at(double cosine) const;
+  Vec3d at(double cosine) const {
+    if (index_ == 0) return schlickReflectance(cosine, Vec3d(color_));
+    const double reflectance = dielectricReflectance(cosine, double(index_));
+    return {reflectance, reflectance, reflectance};
+  }
 
  private:
   Fresnel(float index, const Vec3f& color) : index_(index), color_(color) {}

@@ -9,7 +9,44 @@
 // Sources: Phong, "Illumination for Computer Generated Pictures", 1975; Blinn, "Models of Light
 // Reflection for Computer Synthesized Pictures", 1977.
 #pragma once
+#include "math/functions.h"
 #include "shading/material.h"
+
+/// The formulas, for any number of places (see math/number.h). v is the ray's unit direction.
+namespace phong_light {
+
+/// c = r.l with r = v - 2 (v.n) n.
+template <class Number>
+Number mirroredCosine(const Vec3<Number>& v, const Vec3<Number>& n, const Vec3<Number>& l) {
+  return dot(v, l) - 2 * dot(v, n) * dot(n, l);
+}
+
+/// c = n.h with h = (l - v) / |l - v|: the way back along the ray is -v. 0 where l is the ray's own
+/// direction, so that there is no h.
+template <class Number>
+Number halfwayCosine(const Vec3<Number>& v, const Vec3<Number>& n, const Vec3<Number>& l) {
+  const Vec3<Number> halfway = l - v;
+  const Number size = length(halfway);
+  return choose(size > 0, dot(n, halfway) / size, Number(0));
+}
+
+/// lightColor * ((n.l) diffuse + c^exponent specular), rounded to float. Black where n.l <= 0, for
+/// a light behind the surface lights nothing, and a NaN counts as one; no highlight where c <= 0.
+template <class Number>
+Vec3<Number> reflectedLight(const Vec3<Number>& n, const Vec3<Number>& l, const Number& c,
+                            const Vec3<Number>& lightColor, const Vec3<Number>& diffuse,
+                            const Vec3<Number>& specular, const Number& exponent) {
+  const Number cosine = dot(n, l);
+  Vec3<Number> reflected = diffuse * cosine;
+  // The power is the costly step: not for a highlight that is black anyway.
+  const MaskOf<Number> isBright = (c > 0) & isNotZero(specular);
+  if (any(isBright)) {
+    reflected = choose(isBright, reflected + specular * math::pow(c, exponent), reflected);
+  }
+  return choose(cosine > 0, roundedToFloat(lightColor * reflected), Vec3<Number>());
+}
+
+}  // namespace phong_light
 
 class PhongMaterial : public Material {
  public:
@@ -47,6 +84,5 @@ class BlinnPhongMaterial : public PhongMaterial {
   const char* getKind() const override { return "BlinnPhongMaterial"; }
 
  private:
-  /// 0 where l is the ray's own direction, so that there is no h.
   double highlightCosine(const Vec3d& v, const Vec3d& n, const Vec3d& l) const override;
 };

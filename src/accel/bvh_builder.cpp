@@ -18,12 +18,9 @@
 #include "accel/binary_tree.h"
 #include "accel/split_range.h"
 #include "accel/thread_pool.h"
-#include "accel/traversal.h"
 
 namespace accel {
 namespace {
-
-static_assert(kMostSplits < kMostLevels, "a walk's stack is deep enough for any tree");
 
 /// Leaves that are written in one go, by one thread, before the memory of their items is returned.
 constexpr std::size_t kLeavesPerRun = 2048;
@@ -41,7 +38,7 @@ class WideNodeBuilder {
     bvh_.nodeCount = 1;
     bvh_.leafWords = 1;  // offset 0 means no leaf
     sizes_.reserve(tree.leafCount());
-    collapse(0, BinaryTree::kRoot);
+    collapse(0, BinaryTree::kRoot, 1);
     bvh_.nodes.shrink(bvh_.nodeCount * sizeof(WideNode));
     runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
   }
@@ -70,8 +67,9 @@ class WideNodeBuilder {
     open(node.children + 1, slots - first, children);
   }
 
-  /// Makes wide node `number` of binary node `index`. Recursion is as deep as the wide tree.
-  void collapse(std::uint32_t number, std::uint32_t index) {
+  /// Makes wide node `number`, on level `level` from the root's 1 on, of binary node `index`. Recursion is as deep as the wide tree.
+  void collapse(std::uint32_t number, std::uint32_t index, int level) {
+    bvh_.levels = std::max(bvh_.levels, level);
     Children children;
     open(index, kWidth, children);
     WideNode& target = static_cast<WideNode*>(bvh_.nodes.data())[number];
@@ -84,7 +82,7 @@ class WideNodeBuilder {
       if (isLeaf(children.nodes[i])) {
         target.child[i] = placeLeaf(children.nodes[i]);
       } else {
-        collapse(target.child[i], children.nodes[i]);
+        collapse(target.child[i], children.nodes[i], level + 1);
       }
     }
   }

@@ -19,7 +19,6 @@
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/object_tree.h"
-#include "accel/packet.h"
 #include "accel/transform_range.h"
 #include "geometry/group.h"
 
@@ -30,6 +29,17 @@ using accel::MeshTree;
 using accel::ObjectTree;
 using accel::RayRange;
 using accel::TreeMember;
+
+/// The rows of the rays that start near enough.
+RowList heldRows(const RayTable& rays, Arena& arena) {
+  auto* rows = arena.take<std::uint16_t>(std::size_t(rays.count));
+  int count = 0;
+  for (int row = 0; row < rays.count; ++row) {
+    rows[count] = std::uint16_t(row);
+    count += RayRange::holds(rays.originOf(row)) ? 1 : 0;
+  }
+  return {rows, count};
+}
 
 /// A mesh of fewer triangles is asked triangle by triangle.
 constexpr std::uint32_t kSmallMesh = 4;
@@ -42,8 +52,8 @@ Kernels kernelsOf(SimdLevel level) {
 }  // namespace
 
 struct CompiledScene::Trees {
-  Trees(SimdLevel level, int threadCount, TestTally* tally)
-      : kernels(kernelsOf(level)), threads(threadCount), root(kernels) {
+  Trees(SimdLevel simd, int threadCount, TestTally* tally)
+      : level(simd), kernels(kernelsOf(simd)), threads(threadCount), root(kernels) {
     kernels.tally = tally;
   }
 
@@ -98,6 +108,7 @@ struct CompiledScene::Trees {
     return accel::errorThrough(transform, error);
   }
 
+  const SimdLevel level;
   Kernels kernels;
   const int threads;
   std::uint32_t nextOrder = 0;
@@ -105,27 +116,6 @@ struct CompiledScene::Trees {
   std::deque<ObjectTree> objectTrees;  // those inside Transforms
   ObjectTree root;
 };
-
-SimdLevel availableSimd(SimdLevel wanted) {
-  SimdLevel best = SimdLevel::baseline;
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2")) {
-    best = SimdLevel::avx2;
-  }
-  if (best == SimdLevel::avx2 && __builtin_cpu_supports("avx512f") &&
-      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw")) {
-    best = SimdLevel::avx512;
-  }
-#endif
-  return wanted == SimdLevel::automatic || wanted > best ? best : wanted;
-}
-
-const char* nameOf(SimdLevel level) {
-  constexpr const char* kNames[] = {"auto", "baseline", "avx2", "avx512"};
-  return kNames[int(level)];
-}
 
 CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd, TestTally* tally)
     : root_(&root) {
@@ -138,57 +128,82 @@ CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd, 
 CompiledScene::~CompiledScene() = default;
 
 bool CompiledScene::intersect(const Ray& ray, Hit& hit, double tmin) const {
-  if (!RayRange::holds(ray)) return root_->intersect(ray, hit, tmin);
-  accel::NearestQuery query{&hit, tmin, hit.getT()};
-  return trees_->root.nearest(ray, query);
+  Arena arena;
+  RayTable rays(arena, 1, true);
+  rays.setRow(0, ray, tmin, hit.getT());
+  HitTable hits(arena, 1);
+  intersectAll(rays, hits, arena);
+  if (!hits.isFound(0)) return false;
+  hit = hits.hitOf(0, rays.tmax[0]);
+  return true;
 }
 
 bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
-  if (!RayRange::holds(ray)) return root_->occluded(ray, tmin, tmax);
-  return trees_->root.occluded(ray, tmin, tmax);
+  Arena arena;
+  RayTable rays(arena, 1, true);
+  rays.setRow(0, ray, tmin, tmax);
+  bool isBlocked = false;
+  occludedAll(rays, &isBlocked, arena);
+  return isBlocked;
 }
 
-void CompiledScene::intersectBatch(const Ray* rays, const double* tmins, int count,
-                                   Hit* hits) const {
-  constexpr int kMost = accel::RayPacket::kMostRays;
-  for (int first = 0; first < count; first += kMost) {
-    accel::NearestQuery queries[kMost];
-    const int some = std::min(kMost, count - first);
-    bool allHeld = true;
-    for (int i = 0; i < some; ++i) {
-      queries[i] = {hits + first + i, tmins[first + i], hits[first + i].getT()};
-      allHeld &= RayRange::holds(rays[first + i]);
-    }
-    if (allHeld) {
-      trees_->root.nearest(rays + first, some, queries);
-      continue;
-    }
-    for (int i = first; i < first + some; ++i) intersect(rays[i], hits[i], tmins[i]);
+void CompiledScene::intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const {
+  const Arena::Frame frame(arena);
+  const RowList held = heldRows(rays, arena);
+  trees_->root.nearest(rays, held, hits, arena);
+  if (held.count == rays.count) return;
+  for (int row = 0; row < rays.count; ++row) {
+    if (RayRange::holds(rays.originOf(row))) continue;
+    Hit hit(rays.tmax[row]);
+    if (!root_->intersect(rays.rayOf(row), hit, rays.tmin[row])) continue;
+    rays.tmax[row] = hit.getT();
+    hits.setRow(row, hit, 0);
   }
 }
 
-void CompiledScene::occludedBatch(const ShadowQuery* queries, int count, bool* blocked) const {
-  constexpr int kMost = accel::RayPacket::kMostRays;
-  for (int first = 0; first < count; first += kMost) {
-    const int some = std::min(kMost, count - first);
-    const bool allHeld =
-        std::all_of(queries + first, queries + first + some,
-                    [](const ShadowQuery& query) { return RayRange::holds(query.ray); });
-    if (allHeld) {
-      const std::uint64_t bits = trees_->root.occluded(queries + first, some);
-      for (int i = 0; i < some; ++i) blocked[first + i] = (bits >> i & 1) != 0;
-      continue;
-    }
-    for (int i = first; i < first + some; ++i) {
-      blocked[i] = occluded(queries[i].ray, queries[i].tmin, queries[i].tmax);
-    }
+void CompiledScene::occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const {
+  const Arena::Frame frame(arena);
+  std::fill(blocked, blocked + rays.count, false);
+  const RowList held = heldRows(rays, arena);
+  trees_->root.occluded(rays, held, blocked, arena);
+  if (held.count == rays.count) return;
+  for (int row = 0; row < rays.count; ++row) {
+    const Ray ray = rays.rayOf(row);
+    if (!RayRange::holds(ray.getOrigin())) blocked[row] = root_->occluded(ray, rays.tmin[row], rays.tmax[row]);
   }
 }
 
 void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
-  if (!RayRange::holds(ray)) return root_->visitCrossings(ray, visitor);
-  trees_->root.visitCrossings(ray, visitor);
+  struct FirstRow : RowCrossingVisitor {
+    CrossingVisitor& visitor;
+    explicit FirstRow(CrossingVisitor& v) : visitor(v) {}
+    void visit(int, const Crossing& crossing) override { visitor.visit(crossing); }
+  } first(visitor);
+  Arena arena;
+  RayTable rays(arena, 1, true);
+  rays.setRow(0, ray, 0, Hit().getT());
+  visitAllCrossings(rays, first, arena);
 }
+
+void CompiledScene::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
+                                      Arena& arena) const {
+  const Arena::Frame frame(arena);
+  // All that lies before the ray counts, whatever it is asked for besides.
+  RayTable whole = rays;
+  whole.tmin = arena.take<double>(std::size_t(rays.count));
+  whole.tmax = arena.take<double>(std::size_t(rays.count));
+  std::fill(whole.tmin, whole.tmin + rays.count, 0.0);
+  std::fill(whole.tmax, whole.tmax + rays.count, Hit().getT());
+  const RowList held = heldRows(rays, arena);
+  trees_->root.visitCrossings(whole, held, visitor, arena);
+  if (held.count == rays.count) return;
+  for (int row = 0; row < rays.count; ++row) {
+    CrossingsOfRow crossings(row, visitor);
+    if (!RayRange::holds(rays.originOf(row))) root_->visitCrossings(rays.rayOf(row), crossings);
+  }
+}
+
+SimdLevel CompiledScene::simdLevel() const { return trees_->level; }
 
 std::size_t CompiledScene::treeBytes() const {
   std::size_t bytes = trees_->root.bvh().bytes();

@@ -6,8 +6,12 @@
 #include <immintrin.h>
 #endif
 
-#include "accel/packet.h"
-#include "accel/traversal.h"
+#include "accel/stream.h"
+#include "geometry/plane.h"
+#include "geometry/sphere.h"
+#include "geometry/transform.h"
+#include "geometry/triangle.h"
+#include "math/lanes.h"
 
 namespace accel {
 namespace avx2 {

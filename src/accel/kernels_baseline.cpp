@@ -5,8 +5,12 @@
 #include <immintrin.h>  // all of it: a build may have a wider baseline, e.g. with -march=native
 #endif
 
-#include "accel/packet.h"
-#include "accel/traversal.h"
+#include "accel/stream.h"
+#include "geometry/plane.h"
+#include "geometry/sphere.h"
+#include "geometry/transform.h"
+#include "geometry/triangle.h"
+#include "math/lanes.h"
 
 namespace accel {
 namespace baseline {

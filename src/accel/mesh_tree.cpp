@@ -116,7 +116,7 @@ bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, ThreadPool& 
 bool hasArea(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   const Vec3f e1 = b - a, e2 = c - a;
   if (maxAbs(cross(e1, e2)) > maxAbs(e1) * maxAbs(e2) * 0x1p-20f + 0x1p-120f) return true;
-  return triangle::areaNormal(a, b, c) != Vec3d();
+  return triangle::areaNormal(Vec3d(a), Vec3d(b), Vec3d(c)) != Vec3d();
 }
 
 /// Appends the boxes of faces [begin, end) that have an area at `item`; returns the end.
@@ -170,12 +170,6 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
 BoundingBox MeshTree::box() const {
   return {Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale,
           Vec3d(bvh_.high[0], bvh_.high[1], bvh_.high[2]) / bvh_.scale};
-}
-
-double MeshTree::typicalArea() const {
-  const Vec3d size = box().high() - box().low();
-  const double half = size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
-  return half / double(std::max(geometry_->faceCount(), 1u));
 }
 
 MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {

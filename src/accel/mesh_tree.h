@@ -14,9 +14,6 @@ class MeshTree {
   /// The mesh's box in its own space.
   BoundingBox box() const;
 
-  /// The area of a triangle, roughly: half the surface of the mesh's box over their number.
-  double typicalArea() const;
-
   /// The corners of the triangle in lane `lane` of the leaf at `words`, exactly as the geometry
   /// holds them, and the number of its face.
   struct Triangle {

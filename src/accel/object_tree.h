@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "accel/transform_range.h"
-#include "accel/traversal.h"
+#include "accel/mesh_questions.h"
 #include "accel/wide_bvh.h"
 #include "geometry/object3d.h"
 #include "geometry/transform.h"
@@ -15,31 +15,6 @@ namespace accel {
 
 class MeshTree;
 class ObjectTree;
-
-/// The nearest hit found so far, on its way through the ObjectTrees.
-struct NearestQuery {
-  static constexpr std::uint32_t kNothing = 0xffffffffu;
-
-  Hit* hit = nullptr;  ///< what has been recorded; while one mesh is asked its t may lag behind `t`
-  double tmin = 0;
-  double t;                        ///< the nearest t found, or the upper bound given
-  std::uint32_t order = kNothing;  ///< of the object found, in the scene; kNothing: none found
-  std::uint32_t face = 0;
-
-  /// Of several surfaces at the same t the first one in the scene wins.
-  bool accepts(double newT, std::uint32_t newOrder, std::uint32_t newFace) const {
-    return newT < t || (newT == t && order != kNothing &&
-                        (newOrder < order || (newOrder == order && newFace < face)));
-  }
-  /// Notes what was found and recorded in `hit`.
-  void found(double newT, std::uint32_t newOrder, std::uint32_t newFace) {
-    t = newT;
-    order = newOrder;
-    face = newFace;
-  }
-  /// An upper bound that lets equal t through, for functions that demand less.
-  double inclusiveBound() const;
-};
 
 /// One object of a tree.
 struct TreeMember {
@@ -63,6 +38,7 @@ struct TreeMember {
     return static_cast<const TriangleMesh&>(kind == Kind::transformedMesh ? *transform().getObject()
                                                                           : *object);
   }
+  MeshInScene meshInScene() const { return {mesh(), *meshTree, order}; }
 };
 
 /// Kernels and ObjectTrees call each other; all are const while rays are traced.
@@ -77,14 +53,14 @@ class ObjectTree {
   }
   void finish(int threads);
 
-  bool nearest(const Ray& ray, NearestQuery& query) const;
-  bool occluded(const Ray& ray, double tmin, double tmax) const;
-  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const;
-
-  /// Asks for up to RayPacket::kMostRays rays that run close together; bit i of the result says
-  /// whether rays[i] found something (is blocked).
-  std::uint64_t nearest(const Ray* rays, int count, NearestQuery* queries) const;
-  std::uint64_t occluded(const ShadowQuery* queries, int count) const;
+  /// Object3D::intersect for the listed rays, which are in the space of the members: rays.tmax is
+  /// lowered to the t of each new hit, and its row of `hits` set.
+  void nearest(const RayTable& rays, const RowList& list, HitTable& hits, Arena& arena) const;
+  /// Object3D::occluded: sets blocked[row] where anything is hit between tmin and tmax.
+  void occluded(const RayTable& rays, const RowList& list, bool* blocked, Arena& arena) const;
+  /// Object3D::visitCrossings. tmin is 0 and tmax infinite.
+  void visitCrossings(const RayTable& rays, const RowList& list, RowCrossingVisitor& visitor,
+                      Arena& arena) const;
 
   bool isBounded() const { return bounded_; }
   const BoundingBox& box() const { return box_; }
@@ -94,15 +70,18 @@ class ObjectTree {
   const TreeMember& member(std::uint32_t id) const { return members_[id]; }
   const Kernels& kernels() const { return *kernels_; }
 
-  bool nearestOf(const TreeMember& member, const Ray& ray, NearestQuery& query) const;
-  bool occludedBy(const TreeMember& member, const Ray& ray, double tmin, double tmax) const;
-  void visitCrossingsOf(const TreeMember& member, const Ray& ray, CrossingVisitor& visitor) const;
+  /// The same questions to one member.
+  void nearestOf(const TreeMember& member, const RayTable& rays, const RowList& list,
+                 HitTable& hits, Arena& arena) const;
+  void occludedBy(const TreeMember& member, const RayTable& rays, const RowList& list,
+                  bool* blocked, Arena& arena) const;
+  void visitCrossingsOf(const TreeMember& member, const RayTable& rays, const RowList& list,
+                        RowCrossingVisitor& visitor, Arena& arena) const;
 
  private:
-  // With `r`, the ray as prepared for the tree.
-  bool nearestInTree(const Ray& ray, NearestQuery& query, TraversalRay& r,
-                     const ParameterMap& time) const;
-  bool occludedInTree(const Ray& ray, double tmin, double tmax, TraversalRay& r) const;
+  bool takeShape(std::uint32_t id);
+  void nearestShapes(const RayTable& rays, const RowList& list, HitTable& hits,
+                     Arena& arena) const;
 
   /// Counts `count` rays that ask `member` without a tree.
   void countPlain(void (TestTally::*addCounts)(const TestCounts&), const TreeMember& member,
@@ -113,25 +92,12 @@ class ObjectTree {
 
   const Kernels* kernels_;  // not owned
   std::vector<TreeMember> members_;
+  std::vector<ShapeNumbers> shapes_;   // planes and spheres that are asked together
   std::vector<std::uint32_t> direct_;  // members that are asked one by one
   WideBvh bvh_;
   BoundingBox box_;
   TransformError error_;  // of all members
   bool bounded_ = true;
 };
-
-/// The tree of a mesh, asked on behalf of `mesh`, which stands at `order` in the scene.
-bool nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
-                   std::uint32_t order, const Ray& ray, NearestQuery& query);
-bool occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
-                    const Ray& ray, double tmin, double tmax);
-void visitMeshCrossings(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
-                        const Ray& ray, CrossingVisitor& visitor);
-
-/// The same for up to RayPacket::kMostRays rays, as ObjectTree's.
-std::uint64_t nearestInMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
-                            std::uint32_t order, const Ray* rays, int count, NearestQuery* queries);
-std::uint64_t occludedByMesh(const Kernels& kernels, const MeshTree& tree, const TriangleMesh& mesh,
-                             const ShadowQuery* queries, int count);
 
 }  // namespace accel

@@ -19,6 +19,7 @@
 #include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/object_tree.h"
+#include "geometry/plane.h"
 #include "geometry/sphere.h"
 #include "geometry/triangle.h"
 
@@ -168,6 +169,32 @@ BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, L
 
 }  // namespace
 
+/// True where the member is a plane or a sphere, which then is one of the shapes.
+bool ObjectTree::takeShape(std::uint32_t id) {
+  const TreeMember& member = members_[id];
+  ShapeNumbers shape{};
+  Vec3d place;
+  if (const auto* sphere = exactly<Sphere>(member.object)) {
+    shape.isSphere = true;
+    place = sphere->getCenter();
+    shape.size = sphere->getRadius();
+    shape.extent = std::max(maxAbs(place), shape.size);
+    shape.material = sphere->getMaterial();
+  } else if (const auto* plane = exactly<Plane>(member.object)) {
+    place = plane->getNormal();
+    shape.size = plane->getOffset();
+    shape.extent = std::fabs(shape.size);
+    shape.material = plane->getMaterial();
+  } else {
+    return false;
+  }
+  for (int axis = 0; axis < 3; ++axis) shape.place[axis] = place[axis];
+  shape.object = member.object;
+  shape.order = member.order;
+  shapes_.push_back(shape);
+  return true;
+}
+
 void ObjectTree::finish(int threads) {
   std::vector<BoundingBox> boxes;
   std::vector<std::uint32_t> inTree;
@@ -179,7 +206,7 @@ void ObjectTree::finish(int threads) {
     // A Transform of this space then has no box either.
     if (!accel::isBounded(member) || !isInBox) bounded_ = false;
     if (box.isEmpty() || !isInBox) {
-      direct_.push_back(id);
+      if (!takeShape(id)) direct_.push_back(id);
       continue;
     }
     box_.extend(box);
@@ -187,9 +214,15 @@ void ObjectTree::finish(int threads) {
     inTree.push_back(id);
   }
   if (inTree.size() <= kFewObjects) {
-    direct_.insert(direct_.end(), inTree.begin(), inTree.end());
-    return;
+    for (const std::uint32_t id : inTree) {
+      if (!takeShape(id)) direct_.push_back(id);
+    }
+    inTree = {};
   }
+  // Of two at the same t the kernels keep the first.
+  std::sort(shapes_.begin(), shapes_.end(),
+            [](const ShapeNumbers& a, const ShapeNumbers& b) { return a.order < b.order; });
+  if (inTree.empty()) return;
   const Vec3d middle = box_.low() + (box_.high() - box_.low()) * 0.5;
   for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = middle[axis];
   const double longest = std::max(box_.longestSide(), std::numeric_limits<double>::min());

@@ -46,6 +46,9 @@ inline unsigned lessOrEqual(Float8 a, Float8 b) {
 inline unsigned less(Float8 a, Float8 b) {
   return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
 }
+inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
+  return {_mm256_mask_blend_ps(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), y.v, x.v)};
+}
 #else
 inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
   const __m256i lanes = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
@@ -58,6 +61,9 @@ inline unsigned lessOrEqual(Float8 a, Float8 b) {
 }
 inline unsigned less(Float8 a, Float8 b) {
   return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
+}
+inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
+  return {_mm256_blendv_ps(y.v, x.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};
 }
 #endif
 
@@ -120,6 +126,11 @@ inline unsigned less(Float8 a, Float8 b) {
   return unsigned(_mm_movemask_ps(_mm_cmplt_ps(a.low, b.low))) |
          unsigned(_mm_movemask_ps(_mm_cmplt_ps(a.high, b.high))) << 4;
 }
+inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
+  const __m128 low = _mm_cmple_ps(a.low, b.low), high = _mm_cmple_ps(a.high, b.high);
+  return {_mm_or_ps(_mm_and_ps(low, x.low), _mm_andnot_ps(low, y.low)),
+          _mm_or_ps(_mm_and_ps(high, x.high), _mm_andnot_ps(high, y.high))};
+}
 
 #else  // any other processor: the compiler's own vectors
 
@@ -167,69 +178,79 @@ inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
 inline unsigned lessOrEqual(Float8 a, Float8 b) { return bitsOf(a.v <= b.v); }
 inline unsigned less(Float8 a, Float8 b) { return bitsOf(a.v < b.v); }
+inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
+  return {a.v <= b.v ? x.v : y.v};
+}
 
 #endif
 
 inline Float8 operator-(Float8 a) { return Float8::all(0) - a; }
 
-// Lanes: as many rays of a packet as one instruction takes; sixteen with AVX-512, else eight.
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
-
-struct Float16 {
-  __m512 v;
-
-  static Float16 load(const float* p) { return {_mm512_loadu_ps(p)}; }
-  static Float16 all(float x) { return {_mm512_set1_ps(x)}; }
-  void store(float* p) const { _mm512_storeu_ps(p, v); }
-};
-
-inline Float16 operator+(Float16 a, Float16 b) { return {_mm512_add_ps(a.v, b.v)}; }
-inline Float16 operator-(Float16 a, Float16 b) { return {_mm512_sub_ps(a.v, b.v)}; }
-inline Float16 operator*(Float16 a, Float16 b) { return {_mm512_mul_ps(a.v, b.v)}; }
-inline Float16 operator/(Float16 a, Float16 b) { return {_mm512_div_ps(a.v, b.v)}; }
-inline Float16 smaller(Float16 a, Float16 b) { return {_mm512_min_ps(a.v, b.v)}; }
-inline Float16 larger(Float16 a, Float16 b) { return {_mm512_max_ps(a.v, b.v)}; }
-inline Float16 absolute(Float16 a) { return {_mm512_abs_ps(a.v)}; }
-inline Float16 withSignOf(Float16 a, Float16 b) {
-  return {_mm512_xor_ps(a.v, _mm512_and_ps(_mm512_set1_ps(-0.0f), b.v))};
-}
-inline Float16 multiplyAdd(Float16 a, Float16 b, Float16 c) {
-  return {_mm512_fmadd_ps(a.v, b.v, c.v)};
-}
-inline Float16 selected(unsigned bits, Float16 a, Float16 b) {
-  return {_mm512_mask_blend_ps(__mmask16(bits), b.v, a.v)};
-}
-inline unsigned lessOrEqual(Float16 a, Float16 b) {
-  return unsigned(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
-}
-inline unsigned less(Float16 a, Float16 b) {
-  return unsigned(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
-}
-using Lanes = Float16;
-constexpr int kLanes = 16;
-
-#else
-
-using Lanes = Float8;
-constexpr int kLanes = 8;
-
-#endif
-
-inline float greatestLane(Lanes a) {
-  float lanes[kLanes];
-  a.store(lanes);
-  float most = lanes[0];
-  for (int lane = 1; lane < kLanes; ++lane) most = lanes[lane] > most ? lanes[lane] : most;
-  return most;
-}
-
-inline std::uint32_t bitsOfFloat(float x) {
-  std::uint32_t bits;
-  __builtin_memcpy(&bits, &x, sizeof bits);
-  return bits;
-}
 inline float floatOfBits(std::uint32_t bits) {
   float x;
   __builtin_memcpy(&x, &bits, sizeof x);
   return x;
 }
+
+inline int lowestBit(unsigned bits) { return __builtin_ctz(bits); }
+inline int leafCount(std::uint32_t head) { return int(head & 15); }
+inline LeafKind leafKind(std::uint32_t head) { return LeafKind(head >> 4 & 3); }
+
+// Compaction: of list[0 .. count) those whose mask has bit `bit`, in order, go to `out`; returns
+// how many. Reads and writes up to a multiple of 16 entries.
+#if defined(__AVX2__)
+
+/// For each mask of eight entries of two bytes, which bytes are taken.
+struct CompressTable {
+  alignas(64) std::uint8_t places[256][16];
+};
+constexpr CompressTable makeCompressTable() {
+  CompressTable table{};
+  for (int mask = 0; mask < 256; ++mask) {
+    int n = 0;
+    for (int entry = 0; entry < 8; ++entry) {
+      if ((mask >> entry & 1) == 0) continue;
+      table.places[mask][n++] = std::uint8_t(2 * entry);
+      table.places[mask][n++] = std::uint8_t(2 * entry + 1);
+    }
+    for (; n < 16; ++n) table.places[mask][n] = 0x80;
+  }
+  return table;
+}
+inline constexpr CompressTable kCompress = makeCompressTable();
+
+inline std::uint16_t* compressEight(const std::uint16_t* list, unsigned taken,
+                                    std::uint16_t* out) {
+  const __m128i entries = _mm_loadu_si128(reinterpret_cast<const __m128i*>(list));
+  const __m128i places =
+      _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.places[taken]));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(entries, places));
+  return out + __builtin_popcount(taken);
+}
+inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* masks,
+                              std::uint32_t count, int bit, std::uint16_t* out) {
+  const std::uint16_t* const begin = out;
+  const __m128i toSign = _mm_cvtsi32_si128(7 - bit);
+  for (std::uint32_t k = 0; k < count; k += 16) {
+    const __m128i sixteen = _mm_loadu_si128(reinterpret_cast<const __m128i*>(masks + k));
+    unsigned taken = unsigned(_mm_movemask_epi8(_mm_sll_epi16(sixteen, toSign)));
+    if (count - k < 16) taken &= (1u << (count - k)) - 1;
+    out = compressEight(list + k, taken & 255, out);
+    if (taken >> 8 != 0) out = compressEight(list + k + 8, taken >> 8, out);
+  }
+  return std::uint32_t(out - begin);
+}
+
+#else
+
+inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* masks,
+                              std::uint32_t count, int bit, std::uint16_t* out) {
+  std::uint32_t size = 0;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    out[size] = list[k];
+    size += masks[k] >> bit & 1u;
+  }
+  return size;
+}
+
+#endif

@@ -42,8 +42,7 @@ struct RayRange {
   double least = 1, most = 1;   ///< of a direction's length: in the world all are unit vectors
 
   /// Not by maxAbs, to which a coordinate that is no number is nothing.
-  static bool holds(const Ray& ray) {
-    const Vec3d& origin = ray.getOrigin();
+  static bool holds(const Vec3d& origin) {
     return std::fabs(origin.x()) <= kFarthest && std::fabs(origin.y()) <= kFarthest &&
            std::fabs(origin.z()) <= kFarthest;
   }

@@ -48,6 +48,7 @@ struct WideBvh {
   PageBuffer nodes;   ///< WideNodes; the first is the root. Empty where there is nothing to hit.
   PageBuffer leaves;  ///< words, with room behind them for a load of eight to run over
   std::size_t nodeCount = 0, leafWords = 0;
+  int levels = 0;  ///< of nodes
   double anchor[3] = {0, 0, 0};
   double scale = 1;
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< the box of everything, normalised

@@ -19,7 +19,7 @@ Camera::Camera(const Vec3d& center, const Vec3d& direction, const Vec3d& up)
       up_(cross(right_, direction_)) {}
 
 Ray OrthographicCamera::generateRay(const Vec2d& point) const {
-  return {center_ + (right_ * point.x() + up_ * point.y()) * size_, direction_};
+  return {eye_ray::origin(center_, right_, up_, size_, point.x(), point.y()), direction_};
 }
 
 double OrthographicCamera::getTMin() const { return -std::numeric_limits<double>::infinity(); }
@@ -29,5 +29,5 @@ PerspectiveCamera::PerspectiveCamera(const Vec3d& center, const Vec3d& direction
     : Camera(center, direction, up), spread_(2 * math::tan(angle / 2)) {}
 
 Ray PerspectiveCamera::generateRay(const Vec2d& point) const {
-  return {center_, normalize(direction_ + (right_ * point.x() + up_ * point.y()) * spread_)};
+  return {center_, eye_ray::direction(direction_, right_, up_, spread_, point.x(), point.y())};
 }

@@ -504,7 +504,8 @@ building, tracing and writing; rays by kind (eye, mirror, refracted, shadow) and
 by the number of bounces before them; why branches ended; rays per pixel and per
 second; nodes of trees, groups, Transforms or cells visited and spheres, planes
 and triangles tested, for nearest hits and for shadows apart. The counts are the
-same for any number of threads and every -simd, and do not change the image.
+same for any number of threads, those of rays for every -simd too, and do not
+change the image.
 With no image to write it renders all the same. Every ray cast counts, also
 those that a filter makes the tiles of an image cast twice. -accel tree and
 -grid show what the trees spare: the command above tests every primitive (478)

@@ -17,13 +17,9 @@ Transform::Transform(const Matrix& matrix, const Object3D* object)
 
 void Transform::toParent(const Ray& ray, Hit& hit) const {
   const Vec3d normal = normalize(inverse_.transposeTransformDirection(hit.getNormal()));
-  const Vec3d inside = inverse_.transformDirection(ray.getDirection());
   const Vec3d point = ray.pointAtParameter(hit.getT());
-  // The larger of the numbers on both sides of the map, and inside it.
-  const double outside =
-      std::max(maxAbs(ray.getOrigin()), maxAbs(point)) / length(ray.getDirection());
-  const double within = inverse_.magnitudeAt(point) / length(inside);
-  const double magnitude = std::max(hit.getMagnitude(), std::max(outside, within));
+  const double magnitude = outsideMagnitude(inverse_, hit.getMagnitude(), point, ray.getOrigin(),
+                                            ray.getDirection());
   hit.record(hit.getT(), hit.getMaterial(), normal, point,
              {hit.getObject(), hit.getFace(), magnitude});
 }

@@ -79,21 +79,6 @@ struct Seen {
   }
 };
 
-/// Where the ray meets the plane of the triangle, kept between the nearest and farthest vertex.
-bool distance(const Seen& seen, const Vec3d& normal, const Ray& ray, double& t) {
-  if (normal == Vec3d()) return false;
-  const Vec3d& direction = ray.getDirection();
-  const double lengthSquared = dot(direction, direction);
-  const double ta = dot(seen.a, direction), tb = dot(seen.b, direction),
-               tc = dot(seen.c, direction);
-  const double nearest = std::min({ta, tb, tc}) / lengthSquared;
-  const double farthest = std::max({ta, tb, tc}) / lengthSquared;
-  const double root = dot(normal, seen.a) / dot(normal, direction);
-  if (!(nearest <= farthest)) return false;  // the numbers have overflowed
-  t = root >= nearest ? std::min(root, farthest) : nearest;
-  return true;
-}
-
 }  // namespace
 
 bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t) {
@@ -102,7 +87,7 @@ bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, d
   if (u * v < 0) return false;
   const int w = sideOf(seen.pa, seen.pb);
   if (u * w < 0 || v * w < 0 || (u == 0 && v == 0 && w == 0)) return false;
-  return distance(seen, areaNormal(a, b, c), ray, t);
+  return distance(seen.a, seen.b, seen.c, areaNormal(a, b, c), ray.getDirection(), t);
 }
 
 bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t,
@@ -110,9 +95,9 @@ bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, dou
   const Seen seen(a, b, c, ray);
   const int u = movedSideOf(seen.pb, seen.pc), v = movedSideOf(seen.pc, seen.pa),
             w = movedSideOf(seen.pa, seen.pb);
-  if (u == 0 || u != v || v != w || !distance(seen, areaNormal(a, b, c), ray, t)) return false;
+  if (u == 0 || u != v || v != w) return false;
   leaving = u > 0;
-  return true;
+  return distance(seen.a, seen.b, seen.c, areaNormal(a, b, c), ray.getDirection(), t);
 }
 
 }  // namespace triangle

@@ -53,7 +53,7 @@ void setFigures(const Sums& sums, Comparison& result) {
   result.mean = double(sums.differences) / samples;
   result.rms = std::sqrt(double(sums.squares) / samples);
   result.psnr = sums.squares == 0 ? std::numeric_limits<double>::infinity()
-                                  : 20 * math::log(255 / result.rms) / math::log(10);
+                                  : 20 * math::log(255 / result.rms) / math::log(10.0);
 }
 
 /// A sample's difference, made visible.

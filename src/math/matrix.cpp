@@ -70,13 +70,3 @@ bool Matrix::inverse(Matrix& result) const {
   result = inverted;
   return true;
 }
-
-double Matrix::magnitudeAt(const Vec3d& p) const {
-  double largest = 0;
-  for (const auto& row : m_) {
-    const double sum = std::fabs(row[0] * p.x()) + std::fabs(row[1] * p.y()) +
-                       std::fabs(row[2] * p.z()) + std::fabs(row[3]);
-    largest = std::max(largest, sum);
-  }
-  return largest;
-}

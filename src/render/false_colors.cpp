@@ -117,13 +117,13 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
   const PixelRectangle picture = {0, 0, width, height};
   const RayTracer tracer(scene, geometry, options);
-  const WaveTracer waves(tracer);
   const PictureView view = {*scene.getCamera(), width, height};
   const Sampler sampler(options.sampling);
-  const SampleSource source = {view, waves, sampler, options.sampling.tolerance};
   const double samples = options.sampling.samples;  // of a pixel, as far as they can be foretold
   if (listener) listener->begins(samples * width * height);
   shareTiles({width, height, kTileSide}, options, threads, [&](const NextTile& next) {
+    WaveTracer waves(tracer);
+    const SampleSource source = {view, waves, sampler, options.sampling.tolerance};
     RayCounts rays;  // of this thread, all together
     const WatchedTracer counting(scene, geometry, options, rays);
     const auto count = [&](const Sample& sample) {

@@ -35,9 +35,7 @@ std::tuple<float, float, float, float> opticsOf(const Material& material) {
 
 }  // namespace
 
-Media::Media(const Object3D& geometry, const SolidObjects* solids, const Ray& line)
-    : solids_(solids) {
-  geometry.visitCrossings(line, *this);
+void Media::finish() {
   sortByObject(crossings_);
   std::vector<Stay> stays;
   forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {

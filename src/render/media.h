@@ -11,7 +11,7 @@
 #include "scene/solid_objects.h"
 #include "shading/material.h"
 
-class Media : private CrossingVisitor {
+class Media : public CrossingVisitor {
  public:
   /// What fills a place; both are null outside of all objects. Not owned.
   struct Medium {
@@ -23,10 +23,12 @@ class Media : private CrossingVisitor {
     float indexAt(const Vec3d& point) const;
   };
 
-  /// Finds what `line`, whose direction is a unit vector, meets at t > 0. `solids`, not owned,
-  /// tells volumes; where it is null they count as equal. Time n log n and memory n for n
-  /// crossings.
-  Media(const Object3D& geometry, const SolidObjects* solids, const Ray& line);
+  /// Along a line whose direction is a unit vector. It is told all crossings at t > 0, then
+  /// finish() is called, and then it knows. `solids`, not owned, tells volumes; where it is null
+  /// they count as equal. Time n log n and memory n for n crossings.
+  explicit Media(const SolidObjects* solids) : solids_(solids) {}
+  void visit(const Crossing& crossing) override;
+  void finish();
 
   /// What fills the place at parameter t: of all objects around it the one whose material has the
   /// largest priority; of several such the one of the smallest volume, which is the innermost where
@@ -55,7 +57,6 @@ class Media : private CrossingVisitor {
     Medium medium;
   };
 
-  void visit(const Crossing& crossing) override;
   std::vector<Stay> staysIn(CrossingPlace first, CrossingPlace last) const;
   static bool isStronger(const Stay& a, const Stay& b);
   void findLayers(const std::vector<Stay>& stays);

@@ -84,11 +84,14 @@ Vec3d RayTracer::light(int index, const Surface& s) const {
 /// All of it without shadows; what transparent objects let through where they tint; else all or
 /// nothing, as something lies between or not.
 Vec3f RayTracer::visibility(const Surface& s, const LightSample& light) const {
-  const RenderOptions& options = shader_.options();
-  if (!options.shadows) return {1, 1, 1};
+  if (!shader_.options().shadows) return {1, 1, 1};
   ShadowQuery query;
   shader_.setShadowQuery(s, light, query);
-  if (options.transparentShadows) {
+  return visibility(query);
+}
+
+Vec3f RayTracer::visibility(const ShadowQuery& query) const {
+  if (shader_.options().transparentShadows) {
     return transmittance(*geometry_, query.ray, query.tmin, query.tmax);
   }
   return geometry_->occluded(query.ray, query.tmin, query.tmax) ? Vec3f() : Vec3f(1, 1, 1);

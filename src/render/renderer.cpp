@@ -24,7 +24,11 @@
 
 namespace {
 
-static_assert(kTileSide * kTileSide <= kBatchSize, "a tile of central rays is one batch");
+/// The side of a tile of central rays, which are one table; of fewer where there are few tiles.
+constexpr int kCentralSide = 2 * kTileSide;
+static_assert(kCentralSide * kCentralSide <= RayTable::kMost);
+/// Fewer tiles would not keep all threads busy.
+constexpr int kTilesPerThread = 4;
 /// Where rays are counted, tiles are small enough for so many threads, however many there are.
 constexpr int kCountedThreads = 16;
 
@@ -66,7 +70,7 @@ struct Pass {
   RenderTargets targets;  // those that it fills, and no other
   Tiling tiling;
   double raysOfPixel;  // as many as can be foretold: what an adaptive sampler adds is not known
-  std::function<void(const WaveTracer& tracer, const PixelRectangle& area)> renderTile;
+  std::function<void(WaveTracer& tracer, const PixelRectangle& area)> renderTile;
 };
 
 /// 1 at depthMin, 0 at depthMax, and on beyond them.
@@ -96,31 +100,38 @@ void setSurface(const RenderTargets& targets, const Hit& hit, Pixel at) {
 }
 
 /// Every picture but that of the samples, from the rays through the pixels' centres.
-Pass centralPass(const PictureView& view, const RenderTargets& targets, Vec2<int> size) {
-  const auto renderTile = [=](const WaveTracer& tracer, const PixelRectangle& area) {
+Pass centralPass(const PictureView& view, const RenderTargets& targets, Vec2<int> size,
+                 int threads) {
+  const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
     const std::vector<Pixel> pixels = pixelsInOrder(area);
-    RayBatch rays(pixels.size());
-    for (std::size_t k = 0; k < pixels.size(); ++k) {
-      const Pixel inPicture = {targets.window.left + pixels[k].i,
-                               targets.window.bottom + pixels[k].j};
-      view.setEyeRay({inPicture, {0.5, 0.5}}, rays[k]);
+    const int count = int(pixels.size());
+    std::vector<Sample> samples;
+    for (const Pixel at : pixels) {
+      samples.push_back({{targets.window.left + at.i, targets.window.bottom + at.j}, {0.5, 0.5}});
     }
-    Hit hits[kBatchSize];
-    Vec3f colors[kBatchSize];
+    const Arena::Frame frame(tracer.arena());
+    WaveRays rays(tracer.arena(), count, false);
+    setEyeRays(view, samples.data(), count, tracer, rays);
+    HitTable hits(tracer.arena(), count);
+    auto* colors = tracer.arena().take<Vec3f>(pixels.size());
     targets.color ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
-    for (std::size_t k = 0; k < pixels.size(); ++k) {
-      if (targets.color) set(targets.color, targets.exactColor, pixels[k], colors[k]);
-      setSurface(targets, hits[k], pixels[k]);
+    const bool hasSurfaces = targets.depth || targets.normals || targets.materials;
+    for (int k = 0; k < count; ++k) {
+      const Pixel at = pixels[std::size_t(k)];
+      if (targets.color) set(targets.color, targets.exactColor, at, colors[k]);
+      if (hasSurfaces) setSurface(targets, hits.hitOf(k, rays.tmax[k]), at);
     }
   };
-  return {targets, {size.x(), size.y(), kTileSide}, 1, renderTile};
+  Tiling tiling = {size.x(), size.y(), kCentralSide};
+  if (tiling.count() / kTilesPerThread < threads) tiling.side = kTileSide;
+  return {targets, tiling, 1, renderTile};
 }
 
 /// Tiles for samples: 32 times as long as the margin of pixels around them that are traced too, up
 /// to 128 pixels, so that the margins are few; less where so many first samples could not be kept,
 /// or where there would be too few tiles to keep all threads busy.
 Tiling tilingOf(Vec2<int> size, const Sampler& sampler, int reach, int threads) {
-  constexpr int kMostSquares = 8, kTilesPerThread = 4;
+  constexpr int kMostSquares = 8;
   constexpr std::size_t kMostBytes = 32 << 20;
   const int margin = reach + int(sampler.isAdaptive());
   const auto isTooLarge = [&](const Tiling& tiling) {
@@ -141,7 +152,7 @@ Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int
   const Sampler sampler(options);
   const Filter filter(options.filter, options.filterSize);
   const int reach = targets.color ? filter.getSupportRadius() : 0;  // of samples that count
-  const auto renderTile = [=](const WaveTracer& tracer, const PixelRectangle& area) {
+  const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
     const PixelRectangle inPicture = area.moved(targets.window.left, targets.window.bottom);
     Film film(inPicture, filter);
     if (targets.samples) drawSamplesGround(*targets.samples, targets.samplesZoom, area);
@@ -166,14 +177,14 @@ Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int
 std::vector<Pass> passesOf(const PictureView& view, const RenderTargets& targets,
                            const SamplingOptions& options, int threads) {
   const Vec2<int> size = sizeOf(targets);
-  if (!isSampled(targets, options)) return {centralPass(view, targets, size)};
+  if (!isSampled(targets, options)) return {centralPass(view, targets, size, threads)};
   RenderTargets sampled = targets, central = targets;
   sampled.depth = sampled.normals = sampled.materials = nullptr;
   sampled.exactDepth = sampled.exactNormals = nullptr;
   central.color = central.samples = nullptr;
   central.exactColor = nullptr;
   std::vector<Pass> passes = {sampledPass(view, sampled, size, options, threads)};
-  if (anyOf(central)) passes.push_back(centralPass(view, central, size));
+  if (anyOf(central)) passes.push_back(centralPass(view, central, size, threads));
   return passes;
 }
 
@@ -186,7 +197,7 @@ void renderTiles(const Pass& pass, const RayTracer& tracer, int threads, RayCoun
   shareTiles(pass.tiling, options, threads, [&](const NextTile& next) {
     RayCounts own;
     const WatchedTracer counting(tracer.scene(), tracer.geometry(), options, own);
-    const WaveTracer waves = counts ? WaveTracer(counting, &own) : WaveTracer(tracer);
+    WaveTracer waves(counts ? counting : tracer, counts ? &own : nullptr);
     while (const auto area = next()) {
       if (!targets.store || !targets.store->isFinished(targets, *area)) {
         pass.renderTile(waves, *area);

@@ -14,38 +14,58 @@
 #include "render/sample_tracing.h"
 
 #include <algorithm>
+#include <typeinfo>
 #include <vector>
 
+#include "render/wave_kernels.h"
+
 namespace {
+
+/// False where the camera has no wide form.
+bool toNumbers(const Camera& camera, EyeFrame& eye) {
+  copyTo(eye.center, camera.getCenter());
+  copyTo(eye.direction, camera.getDirection());
+  copyTo(eye.right, camera.getRight());
+  copyTo(eye.up, camera.getUp());
+  eye.isPerspective = typeid(camera) == typeid(PerspectiveCamera);
+  if (eye.isPerspective) {
+    eye.scale = static_cast<const PerspectiveCamera&>(camera).getSpread();
+    return true;
+  }
+  if (typeid(camera) != typeid(OrthographicCamera)) return false;
+  eye.scale = static_cast<const OrthographicCamera&>(camera).getSize();
+  return true;
+}
 
 /// Pixels that are refined together have room for so many samples.
 constexpr int kGroupSamples = 1 << 16;
 constexpr int kMostInGroup = 1024;
 
-/// Traces the samples from <= n < to of each pixel, kBatchSize of them together, and hands them
-/// over in that order.
+/// Traces the samples from <= n < to of each pixel, as many together as a table takes, and hands
+/// them over in that order.
 void traceSamples(const SampleSource& source, const std::vector<Pixel>& pixels, int from, int to,
                   const SampleReceiver& receiver) {
   std::vector<Sample> samples;
-  RayBatch rays;  // as many
-  const auto traceBatch = [&] {
-    Hit hits[kBatchSize];
-    Vec3f colors[kBatchSize];
+  const auto traceTogether = [&] {
+    Arena& arena = source.tracer.arena();
+    const Arena::Frame frame(arena);
+    const int count = int(samples.size());
+    WaveRays rays(arena, count, false);
+    setEyeRays(source.view, samples.data(), count, source.tracer, rays);
+    HitTable hits(arena, count);
+    auto* colors = arena.take<Vec3f>(samples.size());
     source.tracer.trace(rays, 0, hits, colors);
-    for (std::size_t k = 0; k < samples.size(); ++k) receiver(samples[k], colors[k], 1);
+    for (int k = 0; k < count; ++k) receiver(samples[std::size_t(k)], colors[k], 1);
     samples.clear();
-    rays.clear();
   };
-  samples.reserve(kBatchSize);
-  rays.reserve(kBatchSize);
+  samples.reserve(std::size_t(RayTable::kMost));
   for (const Pixel at : pixels) {
     for (int n = from; n < to; ++n) {
       samples.push_back({at, source.sampler.getSamplePosition(at.i, at.j, n)});
-      source.view.setEyeRay(samples.back(), rays.emplace_back());
-      if (rays.size() == std::size_t(kBatchSize)) traceBatch();
+      if (samples.size() == std::size_t(RayTable::kMost)) traceTogether();
     }
   }
-  if (!rays.empty()) traceBatch();
+  traceTogether();
 }
 
 /// The rule above, for a rectangle of pixels.
@@ -133,11 +153,31 @@ class AdaptiveSampling {
 
 }  // namespace
 
+void setEyeRays(const PictureView& view, const Sample* samples, int count, WaveTracer& tracer,
+                WaveRays& rays) {
+  const Arena::Frame frame(tracer.arena());
+  auto* x = tracer.arena().take<double>(std::size_t(count));
+  auto* y = tracer.arena().take<double>(std::size_t(count));
+  for (int k = 0; k < count; ++k) {
+    const Vec2d point = view.pointOf(samples[k]);
+    x[k] = point.x();
+    y[k] = point.y();
+    rays.tmin[k] = view.camera.getTMin();
+    rays.tmax[k] = Hit().getT();
+    rays.weight[k] = 1;
+  }
+  rays.count = count;
+  EyeFrame eye;
+  if (toNumbers(view.camera, eye)) return tracer.kernels().eyeRays(eye, x, y, count, rays);
+  for (int k = 0; k < count; ++k) {
+    rays.setRow(k, view.camera.generateRay({x[k], y[k]}), rays.tmin[k], rays.tmax[k]);
+  }
+}
+
 Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample) {
-  TracedRay eye;
-  view.setEyeRay(sample, eye);
+  Ray ray = view.camera.generateRay(view.pointOf(sample));
   Hit hit;
-  return tracer.traceRay(eye.ray, float(eye.tmin), 0, eye.weight, eye.indexOfRefraction, hit);
+  return tracer.traceRay(ray, float(view.camera.getTMin()), 0, 1, 1, hit);
 }
 
 void takeSamples(const SampleSource& source, const PixelRectangle& area,

@@ -8,6 +8,7 @@
 #include "math/vec3.h"
 #include "render/image_plane.h"
 #include "render/sampler.h"
+#include "render/wave_tables.h"
 #include "render/wave_tracer.h"
 
 /// A camera and the size of the whole picture that it takes, in pixels. The camera is not owned.
@@ -15,13 +16,16 @@ struct PictureView {
   const Camera& camera;
   int width, height;
 
-  /// The ray that the camera sends through a sample's place.
-  void setEyeRay(const Sample& sample, TracedRay& eye) const {
-    eye.ray = camera.generateRay(imagePoint(sample.at.i + sample.offset.x(),
-                                            sample.at.j + sample.offset.y(), width, height));
-    eye.tmin = camera.getTMin();
+  /// The point of a sample on the camera's image plane.
+  Vec2d pointOf(const Sample& sample) const {
+    return imagePoint(sample.at.i + sample.offset.x(), sample.at.j + sample.offset.y(), width,
+                      height);
   }
 };
+
+/// Fills `rays`, which has room for them, with the eye rays of `count` samples, for `tracer`.
+void setEyeRays(const PictureView& view, const Sample* samples, int count, WaveTracer& tracer,
+                WaveRays& rays);
 
 /// The colour of one sample, its rays traced one after the other: for those who watch the tracer.
 Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample);
@@ -29,7 +33,7 @@ Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample&
 /// What samples come of. Nothing is owned.
 struct SampleSource {
   const PictureView& view;
-  const WaveTracer& tracer;
+  WaveTracer& tracer;
   const Sampler& sampler;
   double tolerance;  ///< as SamplingOptions has it
 };

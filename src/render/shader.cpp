@@ -24,25 +24,19 @@ Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   return {isUsual ? Epsilon::Kind::fixed : Epsilon::Kind::adaptive, Epsilon::kCourse};
 }
 
-bool isTransparent(const Surface& s) {
-  return anyPositive(s.hit.getMaterial()->getTransparentColor());
-}
+bool isGlass(const Material& material) { return anyPositive(material.getTransparentColor()); }
 
 /// n.v: below 0 where the ray comes from outside.
-double approach(const Surface& s) { return dot(s.hit.getNormal(), s.ray.getDirection()); }
+double approachOf(const Surface& s) { return dot(s.hit.getNormal(), s.ray.getDirection()); }
 
 Vec3f grey(double value) { return Vec3f(Vec3d(value, value, value)); }
 
 /// The part of light that glass mirrors here, by Fresnel's equations.
-double reflectance(const Surface& s) {
-  const Material& material = *s.hit.getMaterial();
-  const double before = double(s.interface.before.indexAt(material));
-  const double behind = double(s.interface.behind.indexAt(material));
-  return dielectricReflectance(std::fabs(approach(s)), behind / before);
+double reflectance(const Material& material, const Interface& interface, double approach) {
+  const double before = double(interface.before.indexAt(material));
+  const double behind = double(interface.behind.indexAt(material));
+  return dielectricReflectance(std::fabs(approach), behind / before);
 }
-
-/// Whether lights see the surface's other side: with `shadeBack` the one that the ray sees.
-bool isTurned(const Surface& s, bool shadeBack) { return shadeBack && approach(s) > 0; }
 
 }  // namespace
 
@@ -55,12 +49,12 @@ void Shader::sampleLight(int index, const Surface& s, LightSample& light) const 
   scene_->getLight(index)->getIllumination(s.hit.getIntersectionPoint(), light.direction,
                                            light.color, light.distance);
   const double cosine = dot(s.hit.getNormal(), light.direction);
-  light.isInFront = isTurned(s, options_.shadeBack) ? cosine < 0 : cosine > 0;
+  light.isInFront = isTurned(approachOf(s)) ? cosine < 0 : cosine > 0;
 }
 
 void Shader::setShadowQuery(const Surface& s, const LightSample& light, ShadowQuery& query) const {
   setLeaving(s.hit, light.direction, query.ray);
-  query.tmin = double(epsilonAt(s.hit));
+  query.tmin = double(epsilonAt(s.hit.getMagnitude()));
   query.tmax = light.distance;
 }
 
@@ -68,23 +62,32 @@ Vec3d Shader::reflected(const Surface& s, const LightSample& light, const Vec3f&
   if (visible == Vec3f()) return Vec3d();
   const Material& material = *s.hit.getMaterial();
   const Vec3f direction(light.direction);
-  if (isTurned(s, options_.shadeBack)) {
+  if (isTurned(approachOf(s))) {
     return material.Shade(s.ray, s.hit.withNormal(-s.hit.getNormal()), direction,
                           light.color * visible);
   }
   return material.Shade(s.ray, s.hit, direction, light.color * visible);
 }
 
-/// Where recursion ends: by the number of bounces, or where a ray would weigh too little.
-/// `factor` is its colour's in that of the surface.
-Outcome Shader::follow(const Surface& s, const Vec3f& factor, TracedRay& next) const {
+bool Shader::sends(RayKind kind, const Material& material) const {
+  if (kind == RayKind::refracted) return isGlass(material);
+  return anyPositive(material.getReflectiveColor()) ||
+         (options_.fresnel && isGlass(material));
+}
+
+/// By the number of bounces, or where a ray would weigh too little.
+Outcome Shader::follow(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
+                       float& nextWeight) const {
   if (!anyPositive(factor)) return Outcome::none;
+  nextWeight = weight * length(factor * tint);
+  if (bounces >= options_.maxBounces) return Outcome::tooManyBounces;
+  return nextWeight >= options_.minWeight ? Outcome::follows : Outcome::tooFaint;
+}
+
+Outcome Shader::follow(const Surface& s, const Vec3f& factor, TracedRay& next) const {
   next.factor = factor;
-  next.weight = s.weight * length(factor * s.interface.tint);
-  if (s.bounces >= options_.maxBounces) return Outcome::tooManyBounces;
-  if (!(next.weight >= options_.minWeight)) return Outcome::tooFaint;
-  next.tmin = double(epsilonAt(s.hit));
-  return Outcome::follows;
+  next.tmin = double(epsilonAt(s.hit.getMagnitude()));
+  return follow(s.bounces, s.weight, factor, s.interface.tint, next.weight);
 }
 
 /// With an adaptive epsilon the ray knows what it leaves, so that rounding in its origin cannot
@@ -97,7 +100,8 @@ void Shader::setLeaving(const Hit& hit, const Vec3d& direction, Ray& ray) const 
 }
 
 Outcome Shader::mirrored(const Surface& s, TracedRay& next) const {
-  const Outcome outcome = follow(s, mirrorFactor(s), next);
+  const Vec3f factor = mirrorFactor(*s.hit.getMaterial(), s.interface, approachOf(s));
+  const Outcome outcome = follow(s, factor, next);
   if (outcome != Outcome::follows) return outcome;
   setLeaving(s.hit, mirrorDirection(s.hit.getNormal(), s.ray.getDirection()), next.ray);
   next.indexOfRefraction = s.indexOfRefraction;
@@ -106,26 +110,27 @@ Outcome Shader::mirrored(const Surface& s, TracedRay& next) const {
 
 /// With `fresnel`, glass mirrors by Fresnel's equations and takes no notice of its reflective
 /// colour; a metal's grows towards white at grazing angles (Schlick).
-Vec3f Shader::mirrorFactor(const Surface& s) const {
-  const Vec3f color = s.hit.getMaterial()->getReflectiveColor();
+Vec3f Shader::mirrorFactor(const Material& material, const Interface& interface,
+                           double approach) const {
+  const Vec3f color = material.getReflectiveColor();
   if (!options_.fresnel) return color;
-  if (isTransparent(s)) return grey(reflectance(s));
+  if (isGlass(material)) return grey(reflectance(material, interface, approach));
   if (!anyPositive(color)) return Vec3f();
-  return Vec3f(schlickReflectance(std::fabs(approach(s)), Vec3d(color)));
+  return Vec3f(schlickReflectance(std::fabs(approach), Vec3d(color)));
 }
 
 Outcome Shader::refracted(const Surface& s, TracedRay& next) const {
-  const Outcome outcome = follow(s, refractedFactor(s), next);
-  if (outcome != Outcome::follows) return outcome;
   const Material& material = *s.hit.getMaterial();
+  const double approach = approachOf(s);
+  const Vec3f factor = refractedFactor(material, s.interface, approach);
+  const Outcome outcome = follow(s, factor, next);
+  if (outcome != Outcome::follows) return outcome;
   const float before = s.interface.before.indexAt(material);
   const float behind = s.interface.behind.indexAt(material);
-  const Vec3d& incoming = s.ray.getDirection();
-  const Vec3d normal = approach(s) < 0 ? s.hit.getNormal() : -s.hit.getNormal();
-  // Between equal indices the ray goes straight on, to the last bit, where media are looked after.
-  Vec3d direction = incoming;
-  const bool isStraight = before == behind && (options_.nestedDielectrics || options_.fresnel);
-  if (!isStraight && !transmittedDirection(normal, incoming, before, behind, direction)) {
+  Vec3d direction = s.ray.getDirection();
+  const Vec3d normal = approach < 0 ? s.hit.getNormal() : -s.hit.getNormal();
+  if (!(before == behind && keepsStraight()) &&
+      !transmittedDirection(normal, s.ray.getDirection(), before, behind, direction)) {
     return Outcome::totalReflection;
   }
   setLeaving(s.hit, direction, next.ray);
@@ -135,9 +140,10 @@ Outcome Shader::refracted(const Surface& s, TracedRay& next) const {
 
 /// With `fresnel` what is not mirrored goes through; a closed object dims light on the way inside
 /// (Interface::tint), an open one where it is crossed.
-Vec3f Shader::refractedFactor(const Surface& s) const {
-  const Vec3f color = s.hit.getMaterial()->getTransparentColor();
+Vec3f Shader::refractedFactor(const Material& material, const Interface& interface,
+                              double approach) const {
+  const Vec3f color = material.getTransparentColor();
   if (!options_.fresnel || !anyPositive(color)) return color;
-  const Vec3f passed = grey(1 - reflectance(s));
-  return s.interface.isClosed ? passed : color * passed;
+  const Vec3f passed = grey(1 - reflectance(material, interface, approach));
+  return interface.isClosed ? passed : color * passed;
 }

@@ -113,7 +113,7 @@ class ShadowRay : public CrossingVisitor {
     return transparencyAt(*crossing.material, ray_.pointAtParameter(crossing.t));
   }
 
-  const Ray& ray_;
+  Ray ray_;
   double epsilon_, distance_;
   bool blocked_ = false;
   std::vector<Crossing> crossings_;
@@ -156,10 +156,26 @@ Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, do
   return visitor.result();
 }
 
+void transmittances(const BatchGeometry& geometry, const RayTable& rays, Arena& arena,
+                    Vec3f* visible) {
+  struct ShadowRays : RowCrossingVisitor {
+    std::vector<ShadowRay> rows;
+    void visit(int row, const Crossing& crossing) override {
+      rows[std::size_t(row)].visit(crossing);
+    }
+  } shadows;
+  shadows.rows.reserve(std::size_t(rays.count));
+  for (int row = 0; row < rays.count; ++row) {
+    shadows.rows.emplace_back(rays.rayOf(row), rays.tmin[row], rays.tmax[row]);
+  }
+  geometry.visitAllCrossings(rays, shadows, arena);
+  for (ShadowRay& ray : shadows.rows) *visible++ = ray.result();
+}
+
 Vec3f absorption(const Vec3f& transparentColor, double length) {
   Vec3f result;
   for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = float(math::pow(std::max(transparentColor[axis], 0.0f), length));
+    result[axis] = float(math::pow(double(std::max(transparentColor[axis], 0.0f)), length));
   }
   return result;
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/object3d.h"
+#include "geometry/ray_table.h"
 #include "math/vec3.h"
 
 /// The factor by which the light of a source at parameter `distance` (perhaps infinity) of the unit
@@ -17,6 +17,11 @@
 /// object (or leaves it, if it is an open surface, or the lamp is inside); where that is black the
 /// surface is opaque.
 Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, double distance);
+
+/// The same for all rays of a table, `epsilon` being tmin and `distance` tmax; stores each answer
+/// in visible[row].
+void transmittances(const BatchGeometry& geometry, const RayTable& rays, Arena& arena,
+                    Vec3f* visible);
 
 /// transparentColor at a point of the world; of a texture the mean of its components' colours there.
 Vec3f transparencyAt(const Material& material, const Vec3d& point);

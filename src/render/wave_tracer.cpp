@@ -1,275 +1,454 @@
-// WaveTracer: one step of the recursion for all rays of a batch, then the next step.
+// WaveTracer: one step of the recursion for all rays of a table, then the next step.
 //
-//   trace    meet: what do the rays hit, and what lies on both sides of it?
-//            each hit becomes a Surface; that of a solid texture one for each component
-//            shade: the four terms, each for all surfaces
-//              lights       a list of samples and shadow rays for one light, asked together
-//              ambient
-//              mirror       a list of the rays that continue; trace, one bounce deeper
-//              transmitted  likewise
-// The depth of this recursion is that of the tree of rays, and each level holds two lists at most:
-// memory does not grow with the number of rays, 2^bounces.
+//   trace     meet: what do the rays hit, and what lies on both sides of it?
+//             each hit becomes a surface; that of a solid texture one for each component
+//   shade     the four terms, each for all surfaces, those of one material side by side
+//               lights       a table of shadow rays for one light, asked together
+//               ambient
+//               mirror       a table of the rays that continue; trace, one bounce deeper
+//               transmitted  likewise, in the same table behind the mirrored ones
+// A table has RayTable::kMost rows at most, and is traced before it overflows. So in memory there
+// is one table of rays and one of surfaces for each bounce, up to kMostGenerations of them, after
+// which rays go one by one.
 #include "render/wave_tracer.h"
 
 #include <algorithm>
-#include <deque>
+#include <limits>
+#include <typeinfo>
 
+#include "render/transmittance.h"
+#include "render/wave_kernels.h"
+#include "shading/phong_material.h"
 #include "shading/solid_texture.h"
 
 namespace {
 
 /// Fewer rays than this have too little in common.
-constexpr std::size_t kFewRays = 4;
-/// After this many bounces rays go one by one, so that memory does not grow with -bounces.
+constexpr int kFewRays = 4;
 constexpr int kMostGenerations = 64;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool isFound(const Hit& hit) { return hit.getT() < Hit().getT(); }
+/// False where the light has no wide form.
+bool toNumbers(const Light& light, LightNumbers& numbers) {
+  if (typeid(light) == typeid(DirectionalLight)) {
+    const auto& directional = static_cast<const DirectionalLight&>(light);
+    numbers.isPoint = false;
+    copyTo(numbers.place, directional.getDirToLight());
+    copyTo(numbers.color, directional.getColor());
+    return true;
+  }
+  if (typeid(light) != typeid(PointLight)) return false;
+  const auto& point = static_cast<const PointLight&>(light);
+  numbers.isPoint = true;
+  copyTo(numbers.place, point.getPosition());
+  copyTo(numbers.color, point.getColor());
+  copyTo(numbers.attenuation, point.getAttenuation());
+  return true;
+}
 
-std::size_t missesAmong(const Hit* hits, std::size_t count) {
-  return std::size_t(
-      std::count_if(hits, hits + count, [](const Hit& hit) { return !isFound(hit); }));
+/// False where the material has no wide form.
+bool toNumbers(const Material& material, PhongNumbers& numbers) {
+  numbers.isBlinn = typeid(material) == typeid(BlinnPhongMaterial);
+  if (!numbers.isBlinn && typeid(material) != typeid(PhongMaterial)) return false;
+  const auto& phong = static_cast<const PhongMaterial&>(material);
+  copyTo(numbers.diffuse, phong.getDiffuseColor());
+  copyTo(numbers.specular, phong.getSpecularColor());
+  numbers.exponent = double(phong.getExponent());
+  return true;
 }
 
 }  // namespace
 
-/// Rays that continue at the surfaces of a batch.
-struct WaveTracer::Branches {
-  RayKind kind;
-  RayBatch rays;
-  std::vector<std::size_t> surfaces;  // ray i continues surfaces[i]
+/// A table of rays, and what they have met.
+struct WaveTracer::Generation {
+  const WaveRays& rays;
+  const HitTable& hits;
+  const Interface* interfaces;  // of each ray; null where all are plain
+  int bounces;
 
-  Branches(RayKind k, std::size_t capacity) : kind(k) {
-    rays.reserve(capacity + 1);
-    surfaces.reserve(capacity);
-  }
-  /// Keeps what ask(next) has made of a new ray, if it follows; its number is `surface`.
-  template <class Ask>
-  void add(std::size_t surface, RayCounts* counts, const Ask& ask) {
-    const Outcome outcome = ask(rays.emplace_back());
-    if (outcome == Outcome::follows) return surfaces.push_back(surface);
-    if (counts && outcome != Outcome::none) counts->branchEnds(kind, outcome, rays.back().weight);
-    rays.pop_back();
+  const Interface& interfaceOf(int row, double approach) const {
+    return interfaces ? interfaces[row] : Interfaces::plainInterface(approach);
   }
 };
 
-/// What a batch of rays has met, as surfaces of plain materials: one for each hit, or one for each
-/// component of a texture. As many as kBatchSize of them are shaded at once.
-class WaveTracer::SurfaceBatch {
+/// The rays that continue at the surfaces of one table: first all mirrored, then all refracted
+/// ones. They are traced when the table is full, and at the end.
+class WaveTracer::Branches {
  public:
-  /// For the colours of `count` rays. Nothing is owned.
-  SurfaceBatch(const WaveTracer& tracer, std::size_t count, Vec3f* colors)
-      : tracer_(tracer), count_(count), colors_(colors) {
-    surfaces_.reserve(std::min(count, std::size_t(kBatchSize)));
-    origins_.reserve(surfaces_.capacity());
+  Branches(WaveTracer& tracer, const Generation& generation, WaveSurfaces& surfaces)
+      : tracer_(tracer),
+        generation_(generation),
+        surfaces_(surfaces),
+        next_(tracer.arena_, std::min(2 * surfaces.count, RayTable::kMost), tracer.hasSources_) {
+    const auto most = std::size_t(surfaces.count);
+    rows_ = tracer.arena_.take<std::uint16_t>(most);
+    places_ = tracer.arena_.take<std::uint16_t>(most);
+    weights_ = tracer.arena_.take<float>(most);
+    factors_ = tracer.arena_.take<Vec3f>(most);
+    before_ = tracer.arena_.take<double>(most);
+    behind_ = tracer.arena_.take<double>(most);
   }
 
-  /// Takes what ray number `ray` has met.
-  void add(const Surface& s, std::size_t ray) {
-    if (const SolidTexture* texture = s.hit.getMaterial()->asTexture()) {
-      return addComponents(*texture, s, ray);
+  void addAll() {
+    for (const RayKind kind : {RayKind::mirror, RayKind::refracted}) {
+      for (int k = 0; k < surfaces_.groupCount; ++k) add(kind, surfaces_.groups[k]);
     }
-    if (isFull()) flush();
-    surfaces_.push_back(s);
-    origins_.push_back({ray, 1, false});
-  }
-
-  /// Shades what has been taken, and stores the colours of its rays.
-  void flush() {
-    std::vector<Vec3f> colors(surfaces_.size());
-    tracer_.shade(surfaces_, colors.data());
-    for (std::size_t k = 0; k < colors.size(); ++k) addColor(origins_[k], colors[k]);
-    surfaces_.clear();
-    origins_.clear();
-    componentHits_.clear();
+    flush();
   }
 
  private:
-  /// Whose colour that of a surface belongs to, and its share there.
-  struct Origin {
-    std::size_t ray;
-    double share;
-    bool isComponent;  // of a texture
-  };
+  void add(RayKind kind, const MaterialGroup& group) {
+    const Shader& shader = tracer_.tracer_.shader();
+    if (!shader.sends(kind, *group.material)) return;
+    for (int first = group.first; first < group.last;) {
+      if (next_.count == capacity()) flush();
+      const int last = std::min(group.last, first + capacity() - next_.count);
+      const int count = follow(kind, *group.material, first, last);
+      kind == RayKind::mirror ? addMirrored(count) : addRefracted(count, *group.material);
+      first = last;
+    }
+  }
+  int capacity() const { return std::min(2 * surfaces_.count, RayTable::kMost); }
 
-  bool isFull() const { return surfaces_.size() == std::size_t(kBatchSize); }
+  /// Lists those of [first, last) at which a ray follows, with its weight and factor.
+  int follow(RayKind kind, const Material& material, int first, int last) {
+    const Shader& shader = tracer_.tracer_.shader();
+    if (!generation_.interfaces && !shader.options().fresnel) {
+      return followAlike(kind, material, first, last);
+    }
+    int count = 0;
+    for (int k = first; k < last; ++k) {
+      const double approach = dot(rowOf(surfaces_.normal, k), rowOf(surfaces_.view, k));
+      const Interface& interface = generation_.interfaceOf(surfaces_.ray[k], approach);
+      const Vec3f factor = shader.factorOf(kind, material, interface, approach);
+      const Outcome outcome = shader.follow(generation_.bounces, surfaces_.weight[k], factor,
+                                            interface.tint, weights_[count]);
+      countEnds(kind, outcome, 1);
+      if (outcome != Outcome::follows) continue;
+      rows_[count] = std::uint16_t(k);
+      factors_[count] = factor;
+      before_[count] = double(interface.before.indexAt(material));
+      behind_[count++] = double(interface.behind.indexAt(material));
+    }
+    return count;
+  }
 
-  void addComponents(const SolidTexture& texture, const Surface& s, std::size_t ray) {
-    sums_.resize(count_);
-    for (const WeightedMaterial& each : texture.materialsAt(s.hit.getIntersectionPoint())) {
-      if (isFull()) flush();
-      componentHits_.push_back(s.hit.withMaterial(each.material));
-      const float weight = s.weight * float(each.weight);
-      surfaces_.push_back(
-          {s.ray, componentHits_.back(), s.interface, s.bounces, weight, s.indexOfRefraction});
-      origins_.push_back({ray, each.weight, true});
+  /// The same where interfaces are plain, so that all surfaces have one factor, and a weight
+  /// decides.
+  int followAlike(RayKind kind, const Material& material, int first, int last) {
+    const Shader& shader = tracer_.tracer_.shader();
+    const Interface plain;
+    const Vec3f factor = shader.factorOf(kind, material, plain, 0);
+    float size = 0;
+    if (shader.follow(generation_.bounces, 1, factor, plain.tint, size) ==
+        Outcome::tooManyBounces) {
+      countEnds(kind, Outcome::tooManyBounces, last - first);
+      return 0;
+    }
+    int count = 0;
+    for (int k = first; k < last; ++k) {
+      rows_[count] = std::uint16_t(k);
+      factors_[count] = factor;
+      weights_[count] = surfaces_.weight[k] * size;
+      count += weights_[count] >= shader.options().minWeight ? 1 : 0;
+    }
+    countEnds(kind, Outcome::tooFaint, last - first - count);
+    return count;
+  }
+
+  void countEnds(RayKind kind, Outcome outcome, int count) {
+    if (!tracer_.counts_ || outcome == Outcome::none || outcome == Outcome::follows) return;
+    for (; count > 0; --count) tracer_.counts_->branchEnds(kind, outcome, 0);
+  }
+
+  void addMirrored(int count) {
+    tracer_.kernels_.mirror({surfaces_, {rows_, count}, next_, next_.count});
+    for (int k = 0; k < count; ++k) append(k);
+    countRays(RayKind::mirror, count);
+  }
+
+  void addRefracted(int count, const Material& material) {
+    RefractionNumbers numbers{tracer_.tracer_.shader().keepsStraight(),
+                              double(material.getIndexOfRefraction()), nullptr, nullptr};
+    if (generation_.interfaces || tracer_.tracer_.shader().options().fresnel) {
+      numbers.before = before_;
+      numbers.behind = behind_;
+    }
+    const int kept = tracer_.kernels_.refract(
+        numbers, {surfaces_, {rows_, count}, next_, next_.count}, places_);
+    for (int k = 0; k < kept; ++k) append(places_[k]);
+    countRays(RayKind::refracted, kept);
+    countEnds(RayKind::refracted, Outcome::totalReflection, count - kept);
+  }
+
+  /// The ray of place `k` in the list, whose origin and direction are in the table, joins it.
+  void append(int k) {
+    const int row = next_.count++, surface = rows_[k];
+    next_.tmin[row] = surfaces_.tmin[surface];
+    next_.tmax[row] = kInfinity;
+    next_.weight[row] = weights_[k];
+    next_.factor[row] = factors_[k];
+    next_.parent[row] = rows_[k];
+    if (!next_.source) return;
+    next_.source[row] = generation_.hits.object[surfaces_.ray[surface]];
+    next_.sourceFace[row] = generation_.hits.face[surfaces_.ray[surface]];
+  }
+  void countRays(RayKind kind, int count) {
+    if (tracer_.counts_ && count > 0) {
+      tracer_.counts_->addRays(kind, generation_.bounces + 1, std::size_t(count));
     }
   }
 
-  void addColor(const Origin& origin, const Vec3f& color) {
-    if (origin.isComponent) {
-      Vec3d& sum = sums_[origin.ray];
-      sum += origin.share * Vec3d(color);
-      colors_[origin.ray] = Vec3f(sum);
-    } else {
-      colors_[origin.ray] = color;
+  /// Traces the table, and adds to each sum what its rays bring, in their order.
+  void flush() {
+    if (next_.count == 0) return;
+    const Arena::Frame frame(tracer_.arena_);
+    HitTable hits(tracer_.arena_, next_.count);
+    auto* colors = tracer_.arena_.take<Vec3f>(std::size_t(next_.count));
+    tracer_.trace(next_, generation_.bounces + 1, hits, colors);
+    for (int row = 0; row < next_.count; ++row) {
+      surfaces_.add(next_.parent[row], Vec3d(next_.factor[row]) * Vec3d(colors[row]));
     }
+    next_.count = 0;
   }
 
-  const WaveTracer& tracer_;
-  const std::size_t count_;
-  Vec3f* const colors_;
-  std::vector<Surface> surfaces_;
-  std::vector<Origin> origins_;  // as long
-  std::deque<Hit> componentHits_;
-  std::vector<Vec3d> sums_;  // of the rays' components; empty where there are none
+  WaveTracer& tracer_;
+  const Generation& generation_;
+  WaveSurfaces& surfaces_;
+  WaveRays next_;
+  // Of the surfaces at which rays follow.
+  std::uint16_t *rows_, *places_;
+  float* weights_;
+  Vec3f* factors_;
+  double *before_, *behind_;  // indices of refraction
 };
 
 WaveTracer::WaveTracer(const RayTracer& tracer, RayCounts* counts)
     : tracer_(tracer),
       batches_(dynamic_cast<const BatchGeometry*>(&tracer.geometry())),
-      counts_(counts) {}
+      counts_(counts),
+      kernels_(waveKernels(batches_ ? batches_->simdLevel() : availableSimd(SimdLevel::automatic))),
+      hasSources_(tracer.shader().options().epsilon.kind == Epsilon::Kind::adaptive) {}
 
-void WaveTracer::trace(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const {
-  if (batch.size() < kFewRays || bounces >= kMostGenerations) {
-    return traceOneByOne(batch, bounces, hits, colors);
+void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* colors) {
+  if (rays.count < kFewRays || bounces >= kMostGenerations) {
+    return traceOneByOne(rays, bounces, hits, colors);
   }
-  if (counts_ && bounces == 0) counts_->addRays(RayKind::eye, 0, batch.size());
-  const std::vector<Interface> interfaces = meet(batch, hits);
-  SurfaceBatch surfaces(*this, batch.size(), colors);
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (!isFound(hits[i])) {
-      colors[i] = tracer_.scene().getBackgroundColor();
-      continue;
+  if (counts_ && bounces == 0) counts_->addRays(RayKind::eye, 0, std::size_t(rays.count));
+  const Arena::Frame frame(arena_);
+  const Generation generation = {rays, hits, meet(rays, hits), bounces};
+  WaveHit* met = arena_.take<WaveHit>(std::size_t(RayTable::kMost));
+  Vec3d* mixtures = nullptr;  // the sums of textures' components, for each ray
+  int count = 0;
+  const auto add = [&](int row, const WeightedMaterial& weighted, bool isComponent) {
+    if (count == RayTable::kMost) {
+      shade(generation, met, count, colors, mixtures);
+      count = 0;
     }
-    const TracedRay& ray = batch[i];
-    const Interface& interface =
-        interfaces.empty() ? Interfaces::plainInterface(ray.ray, hits[i]) : interfaces[i];
-    surfaces.add({ray.ray, hits[i], interface, bounces, ray.weight, ray.indexOfRefraction}, i);
+    met[count++] = {std::uint16_t(row), 0, isComponent, weighted.material, weighted.weight};
+  };
+  for (int row = 0; row < rays.count; ++row) {
+    if (!hits.isFound(row)) {
+      colors[row] = tracer_.scene().getBackgroundColor();
+    } else if (const SolidTexture* texture = hits.material[row]->asTexture()) {
+      if (!mixtures) {
+        mixtures = arena_.take<Vec3d>(std::size_t(rays.count));
+        std::fill(mixtures, mixtures + rays.count, Vec3d());
+      }
+      for (const WeightedMaterial& component : texture->materialsAt(rowOf(hits.point, row))) {
+        add(row, component, true);
+      }
+    } else {
+      add(row, {hits.material[row], 1}, false);
+    }
   }
-  surfaces.flush();
+  shade(generation, met, count, colors, mixtures);
 }
 
-void WaveTracer::traceOneByOne(const RayBatch& batch, int bounces, Hit* hits, Vec3f* colors) const {
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    Ray ray = batch[i].ray;
-    colors[i] = tracer_.traceRay(ray, float(batch[i].tmin), bounces, batch[i].weight,
-                                 batch[i].indexOfRefraction, hits[i]);
+void WaveTracer::traceOneByOne(const WaveRays& rays, int bounces, HitTable& hits, Vec3f* colors) {
+  for (int row = 0; row < rays.count; ++row) {
+    Ray ray = rays.rayOf(row);
+    Hit hit;
+    colors[row] =
+        tracer_.traceRay(ray, float(rays.tmin[row]), bounces, rays.weight[row], 1, hit);
+    if (!hit.getMaterial()) continue;
+    rays.tmax[row] = hit.getT();
+    hits.setRow(row, hit, 0);
   }
 }
 
-void WaveTracer::intersect(const RayBatch& eyeRays, Hit* hits) const {
-  if (counts_) counts_->addRays(RayKind::eye, 0, eyeRays.size());
+void WaveTracer::intersect(WaveRays& eyeRays, HitTable& hits) {
+  const Arena::Frame frame(arena_);
+  if (counts_) counts_->addRays(RayKind::eye, 0, std::size_t(eyeRays.count));
   meet(eyeRays, hits);
 }
 
-/// Finds what the rays meet, and what lies on both sides of it; none where all of that is plain.
-std::vector<Interface> WaveTracer::meet(const RayBatch& batch, Hit* hits) const {
+/// Finds what the rays meet, and what lies on both sides of it; null where all of that is plain.
+const Interface* WaveTracer::meet(WaveRays& rays, HitTable& hits) {
   if (batches_) {
-    // No more than there are: most batches are small, and an array would be cleared first.
-    std::vector<Ray> rays;
-    std::vector<double> tmins;
-    rays.reserve(batch.size());
-    tmins.reserve(batch.size());
-    for (const TracedRay& traced : batch) {
-      rays.push_back(traced.ray);
-      tmins.push_back(traced.tmin);
-    }
-    batches_->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits);
+    batches_->intersectAll(rays, hits, arena_);
   } else {
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      tracer_.geometry().intersect(batch[i].ray, hits[i], batch[i].tmin);
+    for (int row = 0; row < rays.count; ++row) {
+      Hit hit(rays.tmax[row]);
+      if (!tracer_.geometry().intersect(rays.rayOf(row), hit, rays.tmin[row])) continue;
+      rays.tmax[row] = hit.getT();
+      hits.setRow(row, hit, 0);
     }
   }
+  Interface* found = nullptr;
   const Interfaces& interfaces = tracer_.interfaces();
-  std::vector<Interface> found(interfaces.arePlain() ? 0 : batch.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (isFound(hits[i])) interfaces.examine(batch[i].ray, Hit().getT(), hits[i], found[i]);
+  if (!interfaces.arePlain()) {
+    found = arena_.take<Interface>(std::size_t(rays.count));
+    std::fill(found, found + rays.count, Interface());
+    interfaces.examineAll(batches_, rays, hits, found, arena_);
   }
-  if (counts_) counts_->addMisses(missesAmong(hits, batch.size()));
+  if (counts_) {
+    const auto* order = hits.order;
+    counts_->addMisses(
+        std::size_t(std::count(order, order + rays.count, NearestSoFar::kNothing)));
+  }
   return found;
 }
 
 /// RayTracer::shade for many surfaces, none of a texture. Every sum grows in the same order: the
 /// ambient term may follow the lights, as a + l is l + a to the last bit.
-void WaveTracer::shade(const std::vector<Surface>& surfaces, Vec3f* colors) const {
-  if (surfaces.empty()) return;
-  const Shader& shader = tracer_.shader();
-  const int bounces = surfaces[0].bounces;
-  std::vector<Vec3d> sums(surfaces.size());
+void WaveTracer::shade(const Generation& generation, WaveHit* met, int count, Vec3f* colors,
+                       Vec3d* mixtures) {
+  if (count == 0) return;
+  const Arena::Frame frame(arena_);
+  WaveSurfaces surfaces(generation.rays, generation.hits, met, count, arena_);
+  setSides(generation, surfaces);
   for (int light = 0; light < tracer_.scene().getNumLights(); ++light) {
-    addLight(light, surfaces, sums);
+    addLight(light, generation, surfaces);
   }
-  Branches mirrored(RayKind::mirror, surfaces.size());
-  Branches refracted(RayKind::refracted, surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Surface& s = surfaces[i];
-    sums[i] += shader.ambient(s);
-    mirrored.add(i, counts_, [&](TracedRay& next) { return shader.mirrored(s, next); });
-    refracted.add(i, counts_, [&](TracedRay& next) { return shader.refracted(s, next); });
+  for (int g = 0; g < surfaces.groupCount; ++g) {
+    const MaterialGroup& group = surfaces.groups[g];
+    const Vec3d ambient = tracer_.shader().ambient(*group.material);
+    for (int k = group.first; k < group.last; ++k) surfaces.add(k, ambient);
   }
-  addBranches(mirrored, bounces, sums);
-  addBranches(refracted, bounces, sums);
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    colors[i] = Vec3f(sums[i] * Vec3d(surfaces[i].interface.tint));
+  Branches(*this, generation, surfaces).addAll();
+  for (const WaveHit* hit = met; hit != met + count; ++hit) {
+    Vec3d sum = rowOf(surfaces.sum, hit->place);
+    if (generation.interfaces) sum *= Vec3d(generation.interfaces[hit->ray].tint);
+    colors[hit->ray] = Vec3f(sum);
+    if (!hit->isComponent) continue;
+    mixtures[hit->ray] += hit->share * Vec3d(colors[hit->ray]);
+    colors[hit->ray] = Vec3f(mixtures[hit->ray]);
+  }
+}
+
+/// Sets where rays that leave begin to look, and which side lights see.
+void WaveTracer::setSides(const Generation& generation, WaveSurfaces& surfaces) {
+  const Shader& shader = tracer_.shader();
+  for (int k = 0; k < surfaces.count; ++k) {
+    surfaces.tmin[k] = double(shader.epsilonAt(generation.hits.magnitude[surfaces.ray[k]]));
+  }
+  if (!shader.options().shadeBack) return;
+  for (double*& column : surfaces.lit) column = arena_.take<double>(std::size_t(surfaces.count));
+  for (int k = 0; k < surfaces.count; ++k) {
+    const Vec3d normal = rowOf(surfaces.normal, k);
+    const bool isTurned = shader.isTurned(dot(normal, rowOf(surfaces.view, k)));
+    setRowOf(surfaces.lit, k, isTurned ? -normal : normal);
   }
 }
 
 /// Adds to each sum what light `index` brings there.
-void WaveTracer::addLight(int index, const std::vector<Surface>& surfaces,
-                          std::vector<Vec3d>& sums) const {
-  const Shader& shader = tracer_.shader();
-  std::vector<LightSample> samples;  // of the surfaces that are turned towards the light
-  std::vector<std::size_t> places;   // which surfaces these are
-  samples.reserve(surfaces.size() + 1);
-  places.reserve(surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    LightSample& light = samples.emplace_back();
-    shader.sampleLight(index, surfaces[i], light);
-    light.isInFront ? places.push_back(i) : samples.pop_back();
-  }
-  std::vector<Vec3f> visible(places.size());
-  findVisible(surfaces, places, samples, visible.data());
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    sums[places[k]] += shader.reflected(surfaces[places[k]], samples[k], visible[k]);
+void WaveTracer::addLight(int index, const Generation& generation, const WaveSurfaces& surfaces) {
+  const Arena::Frame frame(arena_);
+  WaveLight light(arena_, surfaces.count, hasSources_);
+  sampleLight(index, generation, surfaces, light);
+  const RowList visible = findVisible(light);
+  const std::uint16_t* row = visible.begin();
+  for (int g = 0; g < surfaces.groupCount; ++g) {
+    const std::uint16_t* const first = row;
+    while (row != visible.end() && light.surface[*row] < surfaces.groups[g].last) ++row;
+    if (row == first) continue;
+    reflect(surfaces.groups[g], generation, light, {first, int(row - first)}, surfaces);
   }
 }
 
-/// RayTracer::visibility for sample k at surfaces[places[k]], for all k. What blocks or lets
-/// through is found together; what tints is asked ray by ray.
-void WaveTracer::findVisible(const std::vector<Surface>& surfaces,
-                             const std::vector<std::size_t>& places,
-                             const std::vector<LightSample>& samples, Vec3f* visible) const {
-  const Shader& shader = tracer_.shader();
-  const RenderOptions& options = shader.options();
-  if (options.shadows && !options.transparentShadows && batches_) {
-    std::vector<ShadowQuery> queries(places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      shader.setShadowQuery(surfaces[places[k]], samples[k], queries[k]);
+/// Makes the shadow rays from surfaces that are turned towards the light.
+void WaveTracer::sampleLight(int index, const Generation& generation,
+                             const WaveSurfaces& surfaces, WaveLight& light) const {
+  const Light& asked = *tracer_.scene().getLight(index);
+  LightNumbers numbers;
+  if (toNumbers(asked, numbers)) {
+    kernels_.sampleLight(numbers, surfaces, light);
+  } else {
+    for (int k = 0; k < surfaces.count; ++k) {
+      Vec3d direction;
+      Vec3f color;
+      double distance;
+      asked.getIllumination(rowOf(surfaces.point, k), direction, color, distance);
+      if (!(dot(rowOf(surfaces.lit, k), direction) > 0)) continue;
+      light.surface[light.count] = std::uint16_t(k);
+      setRowOf(light.direction, light.count, direction);
+      setRowOf(light.color, light.count, color);
+      light.tmax[light.count++] = distance;
     }
-    bool blocked[kBatchSize];
-    batches_->occludedBatch(queries.data(), int(queries.size()), blocked);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      visible[k] = blocked[k] ? Vec3f() : Vec3f(1, 1, 1);
+  }
+  for (int row = 0; row < light.count; ++row) {
+    const int k = light.surface[row];
+    setRowOf(light.origin, row, rowOf(surfaces.point, k));
+    light.tmin[row] = surfaces.tmin[k];
+    if (!light.source) continue;
+    light.source[row] = generation.hits.object[surfaces.ray[k]];
+    light.sourceFace[row] = generation.hits.face[surfaces.ray[k]];
+  }
+}
+
+/// The rows of the light of which anything arrives; its colour becomes what does.
+RowList WaveTracer::findVisible(WaveLight& light) {
+  const RenderOptions& options = tracer_.shader().options();
+  if (!options.shadows) return RowList::all(light.count, arena_);
+  auto* rows = arena_.take<std::uint16_t>(std::size_t(light.count));
+  int count = 0;
+  if (batches_ && !options.transparentShadows) {
+    auto* blocked = arena_.take<bool>(std::size_t(light.count));
+    batches_->occludedAll(light, blocked, arena_);
+    for (int row = 0; row < light.count; ++row) {
+      if (!blocked[row]) rows[count++] = std::uint16_t(row);
     }
   } else {
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      visible[k] = tracer_.visibility(surfaces[places[k]], samples[k]);
+    auto* visible = arena_.take<Vec3f>(std::size_t(light.count));
+    if (batches_) {
+      transmittances(*batches_, light, arena_, visible);
+    } else {
+      for (int row = 0; row < light.count; ++row) {
+        visible[row] = tracer_.visibility({light.rayOf(row), light.tmin[row], light.tmax[row]});
+      }
+    }
+    for (int row = 0; row < light.count; ++row) {
+      if (visible[row] == Vec3f()) continue;
+      setRowOf(light.color, row, Vec3f(rowOf(light.color, row)) * visible[row]);
+      rows[count++] = std::uint16_t(row);
     }
   }
-  if (!counts_ || !options.shadows) return;
-  const auto blocked = std::count(visible, visible + places.size(), Vec3f());
-  counts_->addShadowRays(places.size(), std::size_t(blocked));
+  if (counts_) {
+    counts_->addShadowRays(std::size_t(light.count), std::size_t(light.count - count));
+  }
+  return {rows, count};
 }
 
-/// Adds to each sum what the ray brings that continues there, if any.
-void WaveTracer::addBranches(const Branches& branches, int bounces,
-                             std::vector<Vec3d>& sums) const {
-  const RayBatch& rays = branches.rays;
-  if (counts_) counts_->addRays(branches.kind, bounces + 1, rays.size());
-  std::vector<Hit> hits(rays.size());
-  std::vector<Vec3f> colors(rays.size());
-  trace(rays, bounces + 1, hits.data(), colors.data());
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    sums[branches.surfaces[k]] += Vec3d(rays[k].factor) * Vec3d(colors[k]);
+/// Adds what the surfaces of a group send back of the listed light.
+void WaveTracer::reflect(const MaterialGroup& group, const Generation& generation,
+                         const WaveLight& light, const RowList& rows,
+                         const WaveSurfaces& surfaces) const {
+  PhongNumbers numbers;
+  if (toNumbers(*group.material, numbers)) return kernels_.reflect(numbers, light, rows, surfaces);
+  for (const int row : rows) {
+    const int k = light.surface[row], ray = surfaces.ray[k];
+    const Hit hit = generation.hits.hitOf(ray, generation.rays.tmax[ray])
+                        .withMaterial(group.material)
+                        .withNormal(rowOf(surfaces.lit, k));
+    surfaces.add(k, group.material->Shade(generation.rays.rayOf(ray), hit,
+                                          Vec3f(rowOf(light.direction, row)),
+                                          Vec3f(rowOf(light.color, row))));
   }
+}
+
+const WaveKernels& waveKernels(SimdLevel level) {
+  static const WaveKernels kBaseline = baselineWaveKernels(), kAvx2 = avx2WaveKernels(),
+                           kAvx512 = avx512WaveKernels();
+  return level == SimdLevel::avx512 ? kAvx512 : level == SimdLevel::avx2 ? kAvx2 : kBaseline;
 }

@@ -1,5 +1,6 @@
 // Compares compiled scenes and grids with the plain objects they were made from, bit for bit.
 #pragma once
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <tuple>
@@ -53,6 +54,7 @@ inline std::string describe(const Hit& hit) {
 /// All crossings as sorted rows, so that the order of visits does not matter.
 class CrossingSet : public CrossingVisitor {
  public:
+  using Row = std::tuple<double, const Object3D*, const Material*, bool, bool>;
   CrossingSet(const Object3D& object, const Ray& ray) {
     object.visitCrossings(ray, *this);
     std::sort(rows_.begin(), rows_.end());
@@ -62,9 +64,10 @@ class CrossingSet : public CrossingVisitor {
   }
   bool operator==(const CrossingSet& other) const { return rows_ == other.rows_; }
   std::size_t size() const { return rows_.size(); }
+  const std::vector<Row>& rows() const { return rows_; }
 
  private:
-  std::vector<std::tuple<double, const Object3D*, const Material*, bool, bool>> rows_;
+  std::vector<Row> rows_;
 };
 
 /// Asks objects and their compiled forms the same questions, and counts what was found.
@@ -108,20 +111,14 @@ class Comparison {
       });
     }
   }
-  /// intersectBatch, with hits that begin as `bounds`.
+  /// intersectAll, with hits that begin as `bounds`.
   void askBatch(const std::vector<Ray>& rays, double tmin, const std::vector<Hit>& bounds) {
     std::vector<Hit> expected = bounds;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits_ += root_.intersect(rays[i], expected[i], tmin);
     }
     for (const Form& form : forms_) {
-      std::vector<Hit> hits = bounds;
-      const std::vector<double> tmins(rays.size(), tmin);
-      if (form.batches) {
-        form.batches->intersectBatch(rays.data(), tmins.data(), int(rays.size()), hits.data());
-      } else {
-        for (std::size_t i = 0; i < rays.size(); ++i) form.scene->intersect(rays[i], hits[i], tmin);
-      }
+      const std::vector<Hit> hits = nearestHits(form, rays, tmin, bounds);
       for (std::size_t i = 0; i < rays.size(); ++i) {
         cases_.expect(sameBits(hits[i], expected[i]), [&] {
           return where(form) + describe(rays[i], tmin, bounds[i].getT()) + ", " +
@@ -141,16 +138,9 @@ class Comparison {
       hits_ += expected.back();
     }
     for (const Form& form : forms_) {
-      bool blocked[kBatchSize];
-      if (form.batches) {
-        form.batches->occludedBatch(queries.data(), int(queries.size()), blocked);
-      } else {
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-          blocked[i] = form.scene->occluded(queries[i].ray, queries[i].tmin, queries[i].tmax);
-        }
-      }
+      const std::vector<char> blocked = blockedRays(form, queries);
       for (std::size_t i = 0; i < queries.size(); ++i) {
-        cases_.expect(blocked[i] == bool(expected[i]), [&] {
+        cases_.expect(blocked[i] == expected[i], [&] {
           return where(form) + describe(queries[i].ray, queries[i].tmin, queries[i].tmax) + ", " +
                  std::to_string(i) + " of " + std::to_string(queries.size()) +
                  " shadow rays: blocked is expected to be " + check::show(bool(expected[i]));
@@ -177,12 +167,62 @@ class Comparison {
     const auto* batches = dynamic_cast<const BatchGeometry*>(scene.get());
     forms_.push_back({std::move(scene), batches, description});
   }
+
+  /// The hits of all rays, asked together where the form can; those that find nothing as in
+  /// `bounds`.
+  std::vector<Hit> nearestHits(const Form& form, const std::vector<Ray>& rays, double tmin,
+                               const std::vector<Hit>& bounds) {
+    std::vector<Hit> hits = bounds;
+    if (!form.batches) {
+      for (std::size_t i = 0; i < rays.size(); ++i) form.scene->intersect(rays[i], hits[i], tmin);
+      return hits;
+    }
+    const Arena::Frame frame(arena_);
+    RayTable table(arena_, int(rays.size()), anyLeaves(rays));
+    for (int i = 0; i < table.count; ++i) {
+      table.setRow(i, rays[std::size_t(i)], tmin, bounds[std::size_t(i)].getT());
+    }
+    HitTable found(arena_, table.count);
+    form.batches->intersectAll(table, found, arena_);
+    for (int i = 0; i < table.count; ++i) {
+      Hit& hit = hits[std::size_t(i)];
+      if (found.isFound(i)) {
+        hit = found.hitOf(i, table.tmax[i]);
+      } else if (!sameBits(table.tmax[i], hit.getT())) {
+        hit = Hit(table.tmax[i]);  // a bound that was lowered for nothing
+      }
+    }
+    return hits;
+  }
+  std::vector<char> blockedRays(const Form& form, const std::vector<ShadowQuery>& queries) {
+    std::vector<char> answers;
+    if (!form.batches) {
+      for (const ShadowQuery& q : queries) {
+        answers.push_back(form.scene->occluded(q.ray, q.tmin, q.tmax));
+      }
+      return answers;
+    }
+    const Arena::Frame frame(arena_);
+    RayTable table(arena_, int(queries.size()), true);
+    for (int i = 0; i < table.count; ++i) {
+      const ShadowQuery& q = queries[std::size_t(i)];
+      table.setRow(i, q.ray, q.tmin, q.tmax);
+    }
+    bool* const blocked = arena_.take<bool>(queries.size());
+    form.batches->occludedAll(table, blocked, arena_);
+    answers.assign(blocked, blocked + queries.size());
+    return answers;
+  }
+  static bool anyLeaves(const std::vector<Ray>& rays) {
+    return std::any_of(rays.begin(), rays.end(), [](const Ray& r) { return r.getSource(); });
+  }
   std::string where(const Form& form) const { return name_ + " (" + form.description + "): "; }
 
   const Object3D& root_;
   std::string name_;
   std::vector<Form> forms_;
   check::Cases cases_;
+  Arena arena_;
   int hits_ = 0;
 };
 

@@ -136,7 +136,7 @@ TEST("the bounds of a large mesh under any map are those of all its corners, to 
       geometry.addBounds(instance == 0 ? Matrix() : toWorld, box);
       for (int k = 0; k < 2000; ++k) {
         expected.extend(
-            (instance == 0 ? Matrix() : toWorld).transformPoint(vertices[std::size_t(k)]));
+            (instance == 0 ? Matrix() : toWorld).transformPoint(Vec3d(vertices[std::size_t(k)])));
       }
       CHECK_EQUAL(box.low(), expected.low());
       CHECK_EQUAL(box.high(), expected.high());

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "check.h"
+#include "math/vec3.h"
 #include "run_program.h"
 
 namespace {
@@ -70,6 +71,26 @@ TEST("a compiler that takes 0.1 for a float is refused") {
 TEST("a processor mode that computes with more digits is refused, with the reason") {
   if (!faultsWith("-msse2 -mfpmath=sse").empty()) SKIP("no x87 here");
   CHECK(isRefused("-mfpmath=387", "sums and products must be rounded"));
+}
+
+/// The colour that stands for `sum`, as a float and, to be computed with, widened again. Kept apart,
+/// so that no compiler knows the numbers.
+[[gnu::noinline]] void roundSideBySide(const double* sum, Vec3f* color, Vec3d* widened) {
+  *color = Vec3f(Vec3d(sum[0], sum[1], sum[2]));
+  *widened = Vec3d(*color);
+}
+
+TEST("a double that was rounded to float and widened again stays rounded, three side by side") {
+  // g++ 12, where it makes vectors of single statements, widens what was not rounded.
+  const volatile double third = 1.0 / 3;  // 0x1.5555555555555p-2; as a float 0x1.555556p-2
+  const double sum[3] = {third, -third, 2 * third};
+  Vec3f color;
+  Vec3d widened;
+  roundSideBySide(sum, &color, &widened);
+  CHECK_EQUAL(widened.x(), 0x1.555556p-2);
+  CHECK_EQUAL(widened.y(), -0x1.555556p-2);
+  CHECK_EQUAL(widened.z(), 0x1.555556p-1);
+  CHECK(color == Vec3f(0x1.555556p-2f, -0x1.555556p-2f, 0x1.555556p-1f));
 }
 
 }  // namespace

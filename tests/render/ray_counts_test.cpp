@@ -3,6 +3,7 @@
 
 #include "accel/compiled_scene.h"
 #include "check.h"
+#include "eye_rays.h"
 #include "render/renderer.h"
 #include "render/watched_tracer.h"
 #include "render/wave_tracer.h"
@@ -210,17 +211,19 @@ TEST("rays that are traced one by one are counted as those of a batch") {
   RayCounts single, batch;
   const WatchedTracer singleTracer(scene, geometry, options, single);
   const WatchedTracer batchTracer(scene, geometry, options, batch);
-  RayBatch rays(64);
+  std::vector<Ray> rays;
   for (int i = 0; i < 64; ++i) {
     const Ray ray = scene.getCamera()->generateRay({(i % 8 - 3.5) / 16, (i / 8 - 3.5) / 16});
-    rays[std::size_t(i)].ray = ray;
+    rays.push_back(ray);
     Ray copy = ray;
     Hit hit;
     singleTracer.traceRay(copy, 0, 0, 1, 1, hit);
   }
-  std::vector<Hit> hits(64);
+  WaveTracer waves(batchTracer, &batch);
+  WaveRays table = eye_rays::tableOf(rays, waves.arena());
+  HitTable hits(waves.arena(), 64);
   std::vector<Vec3f> colors(64);
-  WaveTracer(batchTracer, &batch).trace(rays, 0, hits.data(), colors.data());
+  waves.trace(table, 0, hits, colors.data());
   CHECK(single.rays(RayKind::refracted) > 20);
   checkSame(single, batch);
 }

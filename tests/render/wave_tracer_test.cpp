@@ -3,6 +3,7 @@
 
 #include "accel/compiled_scene.h"
 #include "check.h"
+#include "eye_rays.h"
 #include "scene_text.h"
 
 namespace {
@@ -67,28 +68,32 @@ Ray eyeRay(int i, int size) {
   return {eye, normalize(target - eye)};
 }
 
-RayBatch eyeRays(int count) {
-  RayBatch batch(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) batch[std::size_t(i)].ray = eyeRay(i, 16);
-  return batch;
+std::vector<Ray> eyeRays(int count) {
+  std::vector<Ray> rays;
+  for (int i = 0; i < count; ++i) rays.push_back(eyeRay(i, 16));
+  return rays;
 }
 
 /// Compares `count` rays of a batch that starts after `bounces`.
 void compare(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
              int count, int bounces) {
   const RayTracer tracer(scene, geometry, options);
-  const RayBatch batch = eyeRays(count);
-  std::vector<Hit> hits(batch.size());
+  WaveTracer waves(tracer);
+  const std::vector<Ray> batch = eyeRays(count);
+  WaveRays rays = eye_rays::tableOf(batch, waves.arena());
+  HitTable hits(waves.arena(), count);
   std::vector<Vec3f> colors(batch.size());
-  WaveTracer(tracer).trace(batch, bounces, hits.data(), colors.data());
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    Ray ray = batch[i].ray;
+  waves.trace(rays, bounces, hits, colors.data());
+  for (int i = 0; i < count; ++i) {
+    Ray ray = batch[std::size_t(i)];
     Hit hit;
     const Vec3f expected = tracer.traceRay(ray, 0, bounces, 1, 1, hit);
-    CHECK(colors[i] == expected);
-    CHECK_EQUAL(hits[i].getT(), hit.getT());
-    CHECK(hits[i].getObject() == hit.getObject());
-    CHECK(hits[i].getMaterial() == hit.getMaterial());
+    CHECK(colors[std::size_t(i)] == expected);
+    CHECK_EQUAL(rays.tmax[i], hit.getT());
+    CHECK_EQUAL(hits.isFound(i), hit.getMaterial() != nullptr);
+    if (!hits.isFound(i)) continue;
+    CHECK(hits.object[i] == hit.getObject());
+    CHECK(hits.material[i] == hit.getMaterial());
   }
 }
 
@@ -97,7 +102,7 @@ void compare(const SceneParser& scene, const Object3D& geometry, const RenderOpt
 TEST("a batch of any size has the colours of its rays traced one by one") {
   const SceneParser scene = hallOfMirrors();
   const CompiledScene compiled(*scene.getGroup(), 1);
-  for (const int count : {0, 1, 3, 4, 63, 64, 65, 255, 256}) {
+  for (const int count : {0, 1, 3, 4, 63, 64, 65, 255, 256, 1000, RayTable::kMost}) {
     compare(scene, compiled, scene_text::bouncing(6), count, 0);
     compare(scene, *scene.getGroup(), scene_text::bouncing(6), count, 2);
   }
@@ -128,19 +133,21 @@ TEST("a batch finds the surfaces behind those that change nothing") {
   RenderOptions options;
   options.nestedDielectrics = true;
   const RayTracer tracer(scene, *scene.getGroup(), options);
-  const WaveTracer waves(tracer);
-  const RayBatch batch = eyeRays(256);
-  std::vector<Hit> hits(256), coloredHits(256);
+  WaveTracer waves(tracer);
+  const std::vector<Ray> batch = eyeRays(256);
+  WaveRays rays = eye_rays::tableOf(batch, waves.arena());
+  WaveRays coloredRays = eye_rays::tableOf(batch, waves.arena());
+  HitTable hits(waves.arena(), 256), coloredHits(waves.arena(), 256);
   std::vector<Vec3f> colors(256);
-  waves.intersect(batch, hits.data());
-  waves.trace(batch, 0, coloredHits.data(), colors.data());
+  waves.intersect(rays, hits);
+  waves.trace(coloredRays, 0, coloredHits, colors.data());
   int passedOver = 0;
-  for (std::size_t i = 0; i < 256; ++i) {
+  for (int i = 0; i < 256; ++i) {
     Hit first;
-    scene.getGroup()->intersect(batch[i].ray, first, 0);
+    scene.getGroup()->intersect(batch[std::size_t(i)], first, 0);
     passedOver += first.getT() < 10;
-    CHECK(hits[i].getT() > 20);  // the far side of the outer ball
-    CHECK_EQUAL(coloredHits[i].getT(), hits[i].getT());
+    CHECK(hits.isFound(i) && rays.tmax[i] > 20);  // the far side of the outer ball
+    CHECK_EQUAL(coloredRays.tmax[i], rays.tmax[i]);
   }
   CHECK(passedOver > 100);
 }
@@ -161,7 +168,7 @@ TEST("the compiled scene and the plain tree give the same colours with every kin
 TEST("a batch with textures has the colours of its rays traced one by one") {
   const SceneParser scene = hallOfTextures();
   const CompiledScene compiled(*scene.getGroup(), 1);
-  for (const int count : {1, 4, 63, 255, 256}) {
+  for (const int count : {1, 4, 63, 255, 256, RayTable::kMost}) {
     compare(scene, compiled, scene_text::bouncing(4), count, 0);
     compare(scene, *scene.getGroup(), scene_text::bouncing(4), count, 2);
   }

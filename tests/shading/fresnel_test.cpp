@@ -20,9 +20,9 @@ double expectedReflectance(double cosine, double index) {
 TEST("at normal incidence a dielectric mirrors ((n - 1) / (n + 1))^2") {
   for (double index : {0.25, 0.75, 1.0, 1.001, 1.33, 1.5, 2.4, 100.0}) {
     const double root = (index - 1) / (index + 1);
-    CHECK_NEAR(dielectricReflectance(1, index), root * root, 1e-15);
+    CHECK_NEAR(dielectricReflectance(1.0, index), root * root, 1e-15);
   }
-  CHECK_NEAR(dielectricReflectance(1, 1.5), 0.04, 1e-16);
+  CHECK_NEAR(dielectricReflectance(1.0, 1.5), 0.04, 1e-16);
   CHECK_NEAR_VECTOR(Fresnel::ofIndex(1.5f).at(1), Vec3d(0.04, 0.04, 0.04), 1e-16);
 }
 
@@ -45,8 +45,8 @@ TEST("random angles and indices equal the formula of the two polarisations") {
 }
 
 TEST("everything is mirrored at grazing incidence and beyond the critical angle, but not by air") {
-  CHECK_EQUAL(dielectricReflectance(0, 1.5), 1.0);
-  CHECK_EQUAL(dielectricReflectance(0, 1 / 1.5), 1.0);
+  CHECK_EQUAL(dielectricReflectance(0.0, 1.5), 1.0);
+  CHECK_EQUAL(dielectricReflectance(0.0, 1 / 1.5), 1.0);
   // From inside glass the critical angle has the sine 1 / 1.5, the cosine 0.745.
   CHECK_EQUAL(dielectricReflectance(0.74, 1 / 1.5), 1.0);
   CHECK(dielectricReflectance(0.75, 1 / 1.5) < 0.8);

@@ -17,7 +17,7 @@
 
 #include "accel/grid/cell_lists.h"
 #include "accel/grid/grid_objects.h"
-#include "accel/object_tree.h"
+#include "geometry/ray_table.h"
 
 namespace accel {
 namespace {
@@ -69,21 +69,22 @@ class RayInTransforms {
 /// Which hit is the nearest. It stays in the space of its object until it is stored.
 struct NearestQuestion {
   RayInTransforms rays;
-  NearestQuery query;
+  double tmin;
+  NearestSoFar best;
   Hit nearest{};
   int transform = GridTransform::kWorld;
   TestCounts counts{};
 
-  double farthest() const { return query.t; }
+  double farthest() const { return best.t; }
   bool ask(const GridItem& item) {
     const GridObject& object = *item.object;
     const Ray& ray = rays.in(object.transform);
     counts.primitives += item.last - item.first;
     for (std::uint32_t face = item.first; face < item.last; ++face) {
-      Hit hit(query.inclusiveBound());
-      if (!object.intersect(face, ray, hit, query.tmin)) continue;
-      if (!query.accepts(hit.getT(), object.order, hit.getFace())) continue;
-      query.found(hit.getT(), object.order, hit.getFace());
+      Hit hit(best.inclusiveBound());
+      if (!object.intersect(face, ray, hit, tmin)) continue;
+      if (!best.accepts(hit.getT(), object.order, hit.getFace())) continue;
+      best = {hit.getT(), object.order, hit.getFace()};
       nearest = hit;
       transform = object.transform;
     }
@@ -91,7 +92,7 @@ struct NearestQuestion {
   }
   /// Stores what was found; false where nothing was.
   bool store(Hit& hit) {
-    if (query.order == NearestQuery::kNothing) return false;
+    if (best.order == NearestSoFar::kNothing) return false;
     rays.restate(transform, nearest);
     hit = nearest;
     return true;
@@ -186,7 +187,7 @@ bool Grid::ask(Way way, const Ray& ray, double tmin, Question& question) const {
 bool Grid::intersect(const Ray& ray, Hit& hit, double tmin) const {
   const Way way = wayOf(ray, tmin, hit.getT());
   if (way == Way::everything) return plain_->intersect(ray, hit, tmin);
-  accel::NearestQuestion question{{*objects_, ray}, {nullptr, tmin, hit.getT()}};
+  accel::NearestQuestion question{{*objects_, ray}, tmin, {hit.getT()}};
   ask(way, ray, tmin, question);
   if (tally_) tally_->addNearest(question.counts);
   return question.store(hit);

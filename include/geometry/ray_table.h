@@ -1,0 +1,137 @@
+// RayTable and HitTable: many rays, and what each of them has met, in columns.
+// A column holds one number of every ray, so that vectors of several rays are loaded and stored as
+// they lie in memory. Columns are an Arena's, which the tables do not own.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/object3d.h"
+#include "math/simd_level.h"
+#include "system/arena.h"
+
+/// Some rows of a table, in the order in which they are asked.
+struct RowList {
+  const std::uint16_t* rows;
+  int count;
+
+  /// Rows 0 to count - 1.
+  static RowList all(int count, Arena& arena) {
+    auto* rows = arena.take<std::uint16_t>(std::size_t(count));
+    for (int row = 0; row < count; ++row) rows[row] = std::uint16_t(row);
+    return {rows, count};
+  }
+
+  const std::uint16_t* begin() const { return rows; }
+  const std::uint16_t* end() const { return rows + count; }
+};
+
+/// Rays, in one space. Row i is ray i.
+struct RayTable {
+  /// The most rows of a table: a tile of 32 x 32 pixels. More share few nodes of a tree that they
+  /// do not share already, and what is known of them leaves the processor's second cache.
+  static constexpr int kMost = 1024;
+
+  int count = 0;         ///< of rows
+  double* origin[3];     ///< finite
+  double* direction[3];  ///< not zero; its length is the unit of t
+  double* tmin;          ///< only surfaces at t > tmin count
+  double* tmax;          ///< only surfaces at t < tmax count
+  /// The surface that each ray leaves and its face, as Ray::setSource has them. Both null where no
+  /// ray leaves any.
+  const Object3D** source = nullptr;
+  std::uint32_t* sourceFace = nullptr;
+
+  /// Columns for `rows` rows, which are still to be filled.
+  RayTable(Arena& arena, int rows, bool hasSources);
+
+  Vec3d originOf(int row) const { return {origin[0][row], origin[1][row], origin[2][row]}; }
+  Vec3d directionOf(int row) const {
+    return {direction[0][row], direction[1][row], direction[2][row]};
+  }
+  Ray rayOf(int row) const {
+    Ray ray(originOf(row), directionOf(row));
+    if (source) ray.setSource(source[row], sourceFace[row]);
+    return ray;
+  }
+  /// `ray` leaves no surface where there are no columns for it.
+  void setRow(int row, const Ray& ray, double least, double most);
+};
+
+/// The nearest hit that a search has found so far, and its place in the scene.
+struct NearestSoFar {
+  /// The place of no primitive: nothing was found.
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+
+  double t;  ///< or the bound of the search
+  std::uint32_t order = kNothing;
+  std::uint32_t face = 0;
+
+  /// Whether a hit comes before it: it is nearer, or as near and earlier in the scene.
+  bool accepts(double newT, std::uint32_t newOrder, std::uint32_t newFace = 0) const {
+    return newT < t || (newT == t && order != kNothing &&
+                        (newOrder < order || (newOrder == order && newFace < face)));
+  }
+  /// A bound that lets equal t through where they may come before, for functions that demand less.
+  double inclusiveBound() const {
+    return order == kNothing ? t : std::nextafter(t, std::numeric_limits<double>::infinity());
+  }
+};
+
+/// The nearest hits of the rays of a RayTable, in which tmax is the t of the hit.
+struct HitTable {
+  const Material** material;  ///< null where nothing was found; not owned
+  const Object3D** object;    ///< the primitive; not owned
+  std::uint32_t* face;        ///< which triangle of a mesh; 0 for all else
+  std::uint32_t* order;       ///< the primitive's place in the scene, or NearestSoFar::kNothing
+  double* magnitude;          ///< as magnitudeOf gives it
+  double* normal[3];          ///< unit
+  double* point[3];
+
+  /// Columns for `rows` rows, in which nothing is found.
+  HitTable(Arena& arena, int rows);
+
+  bool isFound(int row) const { return order[row] != NearestSoFar::kNothing; }
+  /// Row `row` as a Hit, `t` being the ray's tmax; Hit(t) where nothing is found.
+  Hit hitOf(int row, double t) const;
+  /// Takes all of a hit but its t.
+  void setRow(int row, const Hit& hit, std::uint32_t place);
+};
+
+/// Is told where the rays of a table pass through surfaces.
+class RowCrossingVisitor {
+ public:
+  virtual ~RowCrossingVisitor() = default;
+  /// Called once for every crossing of ray `row`, in no particular order.
+  virtual void visit(int row, const Crossing& crossing) = 0;
+};
+
+/// Tells a RowCrossingVisitor of the crossings of one ray.
+class CrossingsOfRow : public CrossingVisitor {
+ public:
+  CrossingsOfRow(int row, RowCrossingVisitor& visitor) : row_(row), visitor_(visitor) {}
+  void visit(const Crossing& crossing) override { visitor_.visit(row_, crossing); }
+
+ private:
+  const int row_;
+  RowCrossingVisitor& visitor_;
+};
+
+/// What answers the questions of many rays in one call. Rays that are asked together visit a node
+/// of a tree together, which then costs less than once for each. Each answer is that of the ray
+/// alone. All are const while rays are traced; `arena` is the caller's, for this thread.
+class BatchGeometry {
+ public:
+  virtual ~BatchGeometry() = default;
+
+  /// Object3D::intersect for all rays of the table. Where something is found, the ray's tmax becomes
+  /// its t, and its row of `hits`, in which nothing was found before, is set.
+  virtual void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const = 0;
+  /// Object3D::occluded for all rays of the table; stores each answer in blocked[row].
+  virtual void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const = 0;
+  /// Object3D::visitCrossings for all rays of the table, whose tmin and tmax are taken no notice of.
+  virtual void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
+                                 Arena& arena) const = 0;
+  /// The instruction set that it uses, one that the processor has.
+  virtual SimdLevel simdLevel() const = 0;
+};

@@ -1,0 +1,298 @@
+// Lanes: several doubles at once, as many as one instruction of this translation unit takes.
+//
+// A lane does what a double does: + - * / and the functions of number.h are the same IEEE
+// operations, so that a formula that is a template over its number type gives the same bits for
+// Doubles as for double. Comparisons give a Mask, one truth a lane; where a lane is a NaN all but
+// != are false, as for a double.
+//
+// The same names mean different instructions in different translation units, and must never be
+// linked together: so they stand in an inline namespace of the instruction set, and a template
+// over Doubles is another one for each. A translation unit that is compiled for one may not use any
+// other inline function that computes, not of the standard library either.
+//
+// Here are all intrinsics: first the few operations that the compiler's own vectors have no good
+// words for, once for each instruction set, then the classes, which are the same for all.
+#pragma once
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace lanes {
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define RAYTRACER_LANES_AVX512
+inline namespace avx512 {
+constexpr int kDoubles = 8;
+#elif defined(__AVX2__)
+#define RAYTRACER_LANES_AVX2
+inline namespace avx2 {
+constexpr int kDoubles = 4;
+#else
+inline namespace baseline {
+constexpr int kDoubles = 2;
+#endif
+
+typedef double Vector __attribute__((vector_size(kDoubles * 8)));
+typedef std::int64_t Signed __attribute__((vector_size(kDoubles * 8)));
+typedef std::uint64_t Wholes __attribute__((vector_size(kDoubles * 8)));
+typedef float Floats __attribute__((vector_size(kDoubles * 4)));
+
+// What a comparison gives, and how two vectors are mixed by it.
+#if defined(RAYTRACER_LANES_AVX512)
+
+typedef __mmask8 Truths;
+// The forms without a mask begin from an undefined vector, of which g++ 12 warns.
+constexpr Truths kAll = 0xff;
+inline Truths isLess(const Vector& a, const Vector& b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+inline Truths isLessOrEqual(const Vector& a, const Vector& b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ);
+}
+inline Truths isEqual(const Vector& a, const Vector& b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ);
+}
+inline Vector mixed(Truths where, const Vector& a, const Vector& b) {
+  return _mm512_mask_blend_pd(where, b, a);
+}
+inline unsigned bitsOfTruths(Truths where) { return where; }
+inline Truths truthsOfBits(unsigned bits) { return Truths(bits); }
+
+#else
+
+typedef Signed Truths;  // all bits of a lane, or none
+inline Truths isLess(const Vector& a, const Vector& b) { return a < b; }
+inline Truths isLessOrEqual(const Vector& a, const Vector& b) { return a <= b; }
+inline Truths isEqual(const Vector& a, const Vector& b) { return a == b; }
+inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) {
+#if defined(RAYTRACER_LANES_AVX2)
+  return _mm256_blendv_pd(b, a, __m256d(where));
+#else
+  return Vector((where & Signed(a)) | (~where & Signed(b)));
+#endif
+}
+inline unsigned bitsOfTruths(const Truths& where) {
+#if defined(RAYTRACER_LANES_AVX2)
+  return unsigned(_mm256_movemask_pd(__m256d(where)));
+#elif defined(__SSE2__)
+  return unsigned(_mm_movemask_pd(__m128d(where)));
+#else
+  return unsigned(where[0] & 1) | unsigned(where[1] & 2);
+#endif
+}
+inline Truths truthsOfBits(unsigned bits) {
+#if defined(RAYTRACER_LANES_AVX2)
+  const Signed places = {1, 2, 4, 8};
+#else
+  const Signed places = {1, 2};
+#endif
+  return (places & std::int64_t(bits)) != 0;
+}
+
+#endif
+
+inline Vector rootOf(const Vector& a) {
+#if defined(RAYTRACER_LANES_AVX512)
+  return _mm512_maskz_sqrt_pd(kAll, a);
+#elif defined(RAYTRACER_LANES_AVX2)
+  return _mm256_sqrt_pd(a);
+#elif defined(__SSE2__)
+  return _mm_sqrt_pd(a);
+#else
+  return Vector{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])};
+#endif
+}
+
+/// b where b < a, else a; and b where a < b, else a.
+inline Vector leastOf(const Vector& a, const Vector& b) {
+#if defined(RAYTRACER_LANES_AVX512)
+  return _mm512_maskz_min_pd(kAll, b, a);
+#elif defined(RAYTRACER_LANES_AVX2)
+  return _mm256_min_pd(b, a);
+#elif defined(__SSE2__)
+  return _mm_min_pd(b, a);
+#else
+  return mixed(isLess(b, a), b, a);
+#endif
+}
+inline Vector mostOf(const Vector& a, const Vector& b) {
+#if defined(RAYTRACER_LANES_AVX512)
+  return _mm512_maskz_max_pd(kAll, b, a);
+#elif defined(RAYTRACER_LANES_AVX2)
+  return _mm256_max_pd(b, a);
+#elif defined(__SSE2__)
+  return _mm_max_pd(b, a);
+#else
+  return mixed(isLess(a, b), b, a);
+#endif
+}
+
+inline Vector withoutSign(const Vector& a) { return Vector(Signed(a) & INT64_MAX); }
+
+inline Vector floorOf(const Vector& a) {
+#if defined(RAYTRACER_LANES_AVX512)
+  return _mm512_maskz_roundscale_pd(kAll, a, _MM_FROUND_TO_NEG_INF);
+#elif defined(RAYTRACER_LANES_AVX2)
+  return _mm256_floor_pd(a);
+#else
+  // From 2^52 on all doubles are whole; below, adding 2^52 rounds to the nearest whole number.
+  const Vector size = withoutSign(a), nearestSize = (size + 0x1p52) - 0x1p52;
+  const Vector nearest = Vector(Signed(nearestSize) | (Signed(a) & INT64_MIN));
+  const Vector down = mixed(isLess(a, nearest), nearest - 1, nearest);
+  return mixed(isLess(size, Vector{} + 0x1p52), down, a);
+#endif
+}
+
+/// The lanes whose bits are set, packed together; what stands behind them is anything.
+inline Vector packed(const Vector& a, unsigned bits) {
+#if defined(RAYTRACER_LANES_AVX512)
+  return _mm512_maskz_compress_pd(__mmask8(bits), a);
+#elif defined(RAYTRACER_LANES_AVX2)
+  // For each set of bits the halves of doubles that are taken, a digit each, the first one lowest.
+  static constexpr std::uint32_t kHalves[16] = {0x00000000, 0x00000010, 0x00000032, 0x00003210,
+                                                0x00000054, 0x00005410, 0x00005432, 0x00543210,
+                                                0x00000076, 0x00007610, 0x00007632, 0x00763210,
+                                                0x00007654, 0x00765410, 0x00765432, 0x76543210};
+  const __m256i digits = _mm256_srlv_epi32(_mm256_set1_epi32(int(kHalves[bits])),
+                                           _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28));
+  return Vector(_mm256_permutevar8x32_ps(__m256(a), digits));
+#else
+  return Vector{bits == 2 ? a[1] : a[0], a[1]};
+#endif
+}
+
+/// Lane by lane true or false.
+class Mask {
+ public:
+  Mask() = default;
+  explicit Mask(bool all) : Mask(ofBits(all ? (1u << kDoubles) - 1 : 0)) {}
+  explicit Mask(const Truths& truths) : truths_(truths) {}
+  /// Of one bit a lane, lane 0 lowest.
+  static Mask ofBits(unsigned bits) { return Mask(truthsOfBits(bits)); }
+
+  unsigned bits() const { return bitsOfTruths(truths_); }
+  const Truths& truths() const { return truths_; }
+
+ private:
+  Truths truths_;
+};
+
+inline Mask operator&(const Mask& a, const Mask& b) {
+  return Mask(Truths(a.truths() & b.truths()));
+}
+inline Mask operator|(const Mask& a, const Mask& b) {
+  return Mask(Truths(a.truths() | b.truths()));
+}
+inline Mask operator!(const Mask& a) { return Mask(Truths(~a.truths())); }
+inline bool any(const Mask& where) { return where.bits() != 0; }
+
+/// kDoubles doubles. Not initialised by default, as a double is not.
+class Doubles {
+ public:
+  using Mask = lanes::Mask;
+  using Wholes = lanes::Wholes;
+
+  Doubles() = default;
+  /// The same in every lane.
+  Doubles(double x) : v_(x - Vector{}) {}  // x + 0 is not x where that is -0
+  Doubles(const Vector& v) : v_(v) {}
+  static Doubles fromBits(const Wholes& bits) { return Vector(bits); }
+
+  /// As many numbers as there are lanes, from any address.
+  static Doubles load(const double* from) {
+    Doubles a;
+    __builtin_memcpy(&a.v_, from, sizeof a.v_);
+    return a;
+  }
+  static Doubles loadFloats(const float* from) {
+    Floats floats;
+    __builtin_memcpy(&floats, from, sizeof floats);
+    return __builtin_convertvector(floats, Vector);
+  }
+  /// column[rows[0]], column[rows[1]] ...
+  static Doubles gather(const double* column, const std::uint16_t* rows) {
+    Doubles a;
+    for (int lane = 0; lane < kDoubles; ++lane) a.v_[lane] = column[rows[lane]];
+    return a;
+  }
+  void store(double* to) const { __builtin_memcpy(to, &v_, sizeof v_); }
+  /// Rounded to nearest.
+  void storeFloats(float* to) const {
+    const Floats floats = __builtin_convertvector(v_, Floats);
+    __builtin_memcpy(to, &floats, sizeof floats);
+  }
+
+  double operator[](int lane) const { return v_[lane]; }
+  void set(int lane, double x) { v_[lane] = x; }
+  const Vector& vector() const { return v_; }
+
+ private:
+  Vector v_;
+};
+
+inline Doubles operator+(const Doubles& a, const Doubles& b) { return a.vector() + b.vector(); }
+inline Doubles operator-(const Doubles& a, const Doubles& b) { return a.vector() - b.vector(); }
+inline Doubles operator*(const Doubles& a, const Doubles& b) { return a.vector() * b.vector(); }
+inline Doubles operator/(const Doubles& a, const Doubles& b) { return a.vector() / b.vector(); }
+inline Doubles operator-(const Doubles& a) { return -a.vector(); }
+inline Mask operator<(const Doubles& a, const Doubles& b) {
+  return Mask(isLess(a.vector(), b.vector()));
+}
+inline Mask operator>(const Doubles& a, const Doubles& b) {
+  return Mask(isLess(b.vector(), a.vector()));
+}
+inline Mask operator<=(const Doubles& a, const Doubles& b) {
+  return Mask(isLessOrEqual(a.vector(), b.vector()));
+}
+inline Mask operator>=(const Doubles& a, const Doubles& b) {
+  return Mask(isLessOrEqual(b.vector(), a.vector()));
+}
+inline Mask operator==(const Doubles& a, const Doubles& b) {
+  return Mask(isEqual(a.vector(), b.vector()));
+}
+inline Mask operator!=(const Doubles& a, const Doubles& b) { return !(a == b); }
+
+// The functions of number.h.
+inline Doubles choose(const Mask& where, const Doubles& a, const Doubles& b) {
+  return mixed(where.truths(), a.vector(), b.vector());
+}
+inline Doubles smaller(const Doubles& a, const Doubles& b) {
+  return leastOf(a.vector(), b.vector());
+}
+inline Doubles larger(const Doubles& a, const Doubles& b) { return mostOf(a.vector(), b.vector()); }
+inline Doubles absolute(const Doubles& a) { return withoutSign(a.vector()); }
+inline Doubles squareRoot(const Doubles& a) { return rootOf(a.vector()); }
+inline Doubles roundedDown(const Doubles& a) { return floorOf(a.vector()); }
+inline Wholes bitsOf(const Doubles& a) { return Wholes(a.vector()); }
+
+inline Floats toFloats(const Doubles& a) { return __builtin_convertvector(a.vector(), Floats); }
+inline Doubles toDoubles(const Floats& a) { return __builtin_convertvector(a, Vector); }
+inline Doubles roundedToFloat(const Doubles& a) { return toDoubles(toFloats(a)); }
+
+/// Stores the lanes whose bits are set one after the other and returns where they end. Writes as
+/// many numbers as there are lanes.
+inline double* compress(const Doubles& a, unsigned bits, double* out) {
+  Doubles(packed(a.vector(), bits)).store(out);
+  return out + __builtin_popcount(bits);
+}
+
+/// The same of rows[0 .. kDoubles).
+inline std::uint16_t* compressRows(const std::uint16_t* rows, unsigned bits, std::uint16_t* out) {
+#if defined(RAYTRACER_LANES_AVX512)
+  const __m256i wide = _mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i*)rows));
+  const __m256i taken = _mm256_maskz_compress_epi32(__mmask8(bits), wide);
+  _mm_storeu_si128((__m128i*)out, _mm256_cvtepi32_epi16(taken));
+  return out + __builtin_popcount(bits);
+#else
+  for (int lane = 0; lane < kDoubles; ++lane) {
+    *out = rows[lane];  // overwritten by the next one where it is not taken
+    out += bits >> lane & 1;
+  }
+  return out;
+#endif
+}
+
+#undef RAYTRACER_LANES_AVX512
+#undef RAYTRACER_LANES_AVX2
+}  // namespace
+}  // namespace lanes

@@ -1,0 +1,55 @@
+// Arena: memory for one thread's tables, taken and given back like a stack.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+/// Hands out memory by moving an end forward; a Frame moves it back. What it once had from the
+/// heap it keeps, so that tables which are needed again and again cost no allocation.
+/// Not copyable; for one thread at a time.
+class Arena {
+ public:
+  /// Everything is aligned to this: a cache line, and the widest vector.
+  static constexpr std::size_t kAlignment = 64;
+
+  Arena() = default;
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+
+  /// Room for `count` objects of T, not initialised, until the innermost Frame ends. Behind it are
+  /// kAlignment bytes more, so that a vector may run over its end. Throws std::bad_alloc.
+  template <class T>
+  T* take(std::size_t count) {
+    static_assert(std::is_trivially_destructible<T>::value, "nobody calls destructors");
+    return static_cast<T*>(takeBytes(count * sizeof(T) + kAlignment));
+  }
+
+  /// Gives back what has been taken since it was made.
+  class Frame {
+   public:
+    explicit Frame(Arena& arena) : arena_(arena), block_(arena.block_), used_(arena.used_) {}
+    ~Frame() {
+      arena_.block_ = block_;
+      arena_.used_ = used_;
+    }
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+
+   private:
+    Arena& arena_;
+    const std::size_t block_, used_;
+  };
+
+ private:
+  struct Block {
+    std::unique_ptr<unsigned char[]> memory;
+    unsigned char* begin;  // aligned
+    std::size_t size;
+  };
+  void* takeBytes(std::size_t bytes);
+
+  std::vector<Block> blocks_;
+  std::size_t block_ = 0;  // the one in use; those before it are full
+  std::size_t used_ = 0;   // bytes of it
+};

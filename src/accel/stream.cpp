@@ -1,0 +1,70 @@
+// Stream: its memory, and ray parameters rounded outwards.
+#include "accel/stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace accel {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr double kRounding = 0x1p-24;
+/// Half of what a float holds, so that what is added to it is held as well.
+constexpr float kHalfOfMost = 0x1p127f;
+
+}  // namespace
+
+float ParameterMap::below(double t) const {
+  const double x = t * scale - shift;
+  if (x > kHalfOfMost) return kHalfOfMost;
+  if (x < -kHalfOfMost) return -kInfinity;
+  return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
+}
+
+float ParameterMap::above(double t) const { return -ParameterMap{-scale, -shift}.below(t); }
+
+Stream::Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena)
+    : bvh(&tree), nodes(tree.root()), words(tree.words()), rays(&table), list(rows), count(0), candidateCount(0), nodesVisited(0),
+      primitivesTested(0), resolve(nullptr), askObject(nullptr), context(nullptr) {
+  const auto most = std::size_t(rows.count);
+  boxRays = arena.take<BoxRay>(most);
+  primitiveRays = arena.take<PrimitiveRay>(most);
+  maps = arena.take<ParameterMap>(most);
+  // A visited node leaves at most seven entries behind, besides the one that is visited next; each
+  // of its boxes may have a list of its own, at most as long as that of the node.
+  const auto levels = std::size_t(tree.levels);
+  stack = arena.take<StreamEntry>(levels * (kWidth - 1) + 2);
+  pool = arena.take<std::uint16_t>((levels * kWidth + 1) * most + 16);
+  masks = arena.take<std::uint8_t>(most + 16);
+  candidates = arena.take<Candidate>(kMostCandidates);
+}
+
+void Stream::lowerBound(int ray, double t) {
+  boxRays[ray].tmaxUp = std::min(boxRays[ray].tmaxUp, maps[ray].above(t));
+  primitiveRays[ray].tmaxDown = std::min(primitiveRays[ray].tmaxDown, maps[ray].below(t));
+}
+
+void Stream::end(int ray) { boxRays[ray].tmaxUp = -kInfinity; }
+
+void Stream::markEnded(bool* blocked) const {
+  for (int ray = 0; ray < count; ++ray) {
+    if (hasEnded(ray)) blocked[rowOf(ray)] = true;
+  }
+}
+
+void TriangleHits::add(int row, const MeshTree::Triangle& triangle) {
+  rows[count] = std::uint16_t(row);
+  const Vec3d corners[] = {triangle.a, triangle.b, triangle.c};
+  for (int k = 0; k < 9; ++k) corner[k][count] = corners[k / 3][k % 3];
+  ++count;
+}
+
+void TriangleHits::fillUp() {
+  for (int k = count; k % 8 != 0; ++k) {
+    rows[k] = rows[count - 1];
+    for (auto& row : corner) row[k] = row[count - 1];
+  }
+}
+
+}  // namespace accel

@@ -1,0 +1,213 @@
+// Stream: rays that walk one tree together, and what the kernels of every instruction set work on.
+//
+// The walk. Rays are sorted by the octant of their direction, and those of one octant begin in a
+// list at the root. Each entry of the stack is a node and the list of the rays that are to visit
+// it. The node's eight boxes are loaded once and every ray of the list is tested against them; each
+// box that is met by any ray becomes an entry, with the list of the rays that meet it, and the box
+// that a ray enters soonest is visited next. At a leaf the list is what its primitives are tested
+// against. A single ray is a stream of one. So there is one walk for nearest hits, for shadows and
+// for crossings, and rays need not have anything in common but their number.
+// Source: Barringer and Akenine-Moeller, "Dynamic Ray Stream Traversal", 2014.
+//
+// Filter in float, decide in double. A kernel computes with floats only, and concludes what its
+// error bounds prove: a triangle is missed, or is hit nearer than anything before. What they leave
+// open becomes a Candidate, which `resolve` decides with the primitive's own double function. So
+// every instruction set gives the same answer.
+//
+// A ray is in the normalised space of the tree, its origin moved to where it enters the tree's box
+// and its direction scaled so that the largest component is 1 to 2: t' = t * scale - shift, and
+// t' >= 0 for everything in the tree.
+//
+// Error bounds, e = 2^-24, R = reach (the largest component of any vertex relative to the origin),
+// D = the largest component of the direction, E = the largest component of an edge of the leaf:
+//   an edge function           64 e R D E   (sum of three products of a cross product)
+//   the determinant            48 e E E D
+//   the distance's numerator   80 e E E R
+// from the standard model of rounding, every operation with a relative error of e (Higham,
+// "Accuracy and Stability of Numerical Algorithms", 2002). They hold while E >= 2^-26 R; smaller
+// triangles are all left open (a leaf's E is at least 2^-40, so that no product underflows), and so
+// is everything for a ray that starts more than 2^56 sizes of the tree away.
+//
+// The surface that a ray leaves lies at t = 0 give or take rounding, so it is never proven to be
+// hit beyond tmin: leaving it out can wait for the double function.
+#pragma once
+#include <cstdint>
+#include <limits>
+
+#include "accel/mesh_tree.h"
+#include "accel/test_tally.h"
+#include "accel/wide_bvh.h"
+#include "geometry/ray_table.h"
+
+namespace accel {
+
+/// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
+struct ParameterMap {
+  double scale, shift;
+
+  /// Floats surely not above, and surely not below, the t' of t.
+  float below(double t) const;
+  float above(double t) const;
+};
+
+/// What the boxes of nodes are tested against: t' = plane * reciprocal + offset, widened so that
+/// nothing is missed by rounding.
+struct BoxRay {
+  float reciprocal[3];  ///< of the direction, finite
+  float nearOffset[3], farOffset[3];
+  float tminDown;  ///< below tmin', >= 0
+  float tmaxUp;    ///< above tmax'; -infinity where the ray wants nothing any more
+  std::uint32_t row;  ///< of the ray in its table
+};
+static_assert(sizeof(BoxRay) == 48, "three quarters of a cache line");
+
+/// What primitives are tested against.
+struct PrimitiveRay {
+  float originHigh[3], originLow[3];  ///< the origin as the sum of two floats
+  float direction[3];
+  float tminUp, tmaxDown;  ///< above tmin' (>= 0) and below tmax'
+  float reach;                 ///< R
+  float edgeError;             ///< 64 e R D
+  float determinantError;      ///< 48 e D
+  float numeratorError;        ///< 80 e R
+  float inverseLengthSquared;  ///< of the direction
+};
+static_assert(sizeof(PrimitiveRay) == 64, "one cache line");
+
+/// A primitive that the filter could not rule out for a ray.
+struct Candidate {
+  std::uint32_t leaf;  ///< the offset of its leaf's words
+  float tLow;          ///< it is not hit at any t' below this
+  std::uint16_t ray;   ///< of the stream
+  std::uint8_t lane;   ///< its place in the leaf
+  bool isProven;       ///< it is surely hit, between tmin and what tmax was
+};
+
+/// A node, or a leaf, that rays are to visit.
+struct StreamEntry {
+  std::uint32_t child;  ///< as in WideNode
+  std::uint32_t first;  ///< its list begins here in the pool
+  std::uint32_t end;    ///< of the pool's part in use while it is visited
+  std::uint32_t count;  ///< of rays
+};
+
+struct Stream {
+  /// As many candidates may wait to be decided.
+  static constexpr int kMostCandidates = 1024;
+
+  // What is asked.
+  const WideBvh* bvh;
+  const WideNode* nodes;       ///< of the tree
+  const std::uint32_t* words;  ///< of its leaves
+  const RayTable* rays;
+  RowList list;  ///< the rows that are asked
+
+  // The rays of the list that meet the tree's box, sorted by octant.
+  int count;
+  int octantEnd[8];  ///< those of octant o end here
+  BoxRay* boxRays;
+  PrimitiveRay* primitiveRays;
+  ParameterMap* maps;
+
+  // What the walk needs.
+  StreamEntry* stack;
+  std::uint16_t* pool;   ///< the lists of all entries
+  std::uint8_t* masks;   ///< which boxes of a node each ray of a list meets
+
+  // What it finds.
+  Candidate* candidates;
+  int candidateCount;
+  std::uint64_t nodesVisited, primitivesTested;
+
+  /// Decides all candidates and empties the list; may lower tmax' of their rays.
+  void (*resolve)(Stream& stream);
+  /// Asks object `id` for rays `rays[0 .. count)` of the stream; may lower their tmax'.
+  void (*askObject)(Stream& stream, std::uint32_t id, const std::uint16_t* rays, int count);
+  void* context;  ///< for these two
+
+  /// For the tree, which is not empty, with memory of the arena; the call backs are still to be
+  /// set. Nothing is owned.
+  Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena);
+
+  int rowOf(int ray) const { return int(boxRays[ray].row); }
+  /// Lowers the bounds of a ray to t, where they are higher.
+  void lowerBound(int ray, double t);
+  /// The ray is blocked, and wants nothing any more.
+  void end(int ray);
+  bool hasEnded(int ray) const {
+    return boxRays[ray].tmaxUp == -std::numeric_limits<float>::infinity();
+  }
+  /// Sets blocked[row] for all that have ended.
+  void markEnded(bool* blocked) const;
+};
+
+/// Triangles that are known to be hit, whose hits are still to be computed. The kernels compute
+/// them several at a time with the very operations of triangle::distance and TriangleMesh::setHit,
+/// in the same order and in double, so with the same bits.
+struct alignas(64) TriangleHits {
+  static constexpr int kMost = 64;
+
+  int count = 0;
+  std::uint16_t rows[kMost];  ///< of the rays that hit them
+  double corner[9][kMost];    ///< a, b, c of each triangle
+
+  void add(int row, const MeshTree::Triangle& triangle);
+  /// Repeats the last one up to a multiple of eight, so that the kernels find no garbage there.
+  void fillUp();
+};
+
+/// A plane or a sphere: a unit normal and an offset, or a centre and a radius.
+struct ShapeNumbers {
+  bool isSphere;
+  double place[3], size;
+  double extent;           ///< the largest number of them, as magnitudeOf wants it
+  const Object3D* object;  ///< not owned
+  const Material* material;  ///< not owned
+  std::uint32_t order;     ///< place in the scene
+};
+
+/// One instruction set.
+struct Kernels {
+  const char* name;
+  /// Fills in the rays of the list that meet the tree's box between tmin and tmax, and their count.
+  void (*prepare)(Stream& stream);
+  /// Walk the tree. Candidates may be left over: the caller resolves them. A proven hit
+  void (*nearest)(Stream& stream);  ///< lowers tmax';
+  void (*any)(Stream& stream);      ///< ends its ray;
+  void (*all)(Stream& stream);      ///< is a candidate as any other.
+  /// Stores t, point, normal and magnitude in the rows of the rays. Up to a multiple of eight,
+  /// rows and corners behind the count are read.
+  void (*computeHits)(const TriangleHits& hits, const RayTable& rays, const HitTable& table);
+  /// Lowers tmax of the listed rays to the t at which they meet one of the shapes, and stores for
+  /// each place in the list which one that is, counted from 1; 0 where none.
+  void (*nearestOfShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,
+                          const RowList& list, std::uint16_t* winners);
+  /// Sets blocked[row] for those of the listed rays that meet any between tmin and tmax.
+  void (*occludedByShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,
+                           const RowList& list, bool* blocked);
+  /// Stores point, normal and magnitude of listed rays that meet the shape at tmax.
+  void (*hitsOfShape)(const ShapeNumbers& shape, const RayTable& rays, const RowList& list,
+                      const HitTable& hits);
+  /// Take the listed rays into a Transform, one row of `inside` each; and the hits `found` there,
+  /// in rows inside[0], inside[1] ..., out to the listed rays.
+  void (*moveRays)(const Matrix& inverse, const RayTable& rays, const RowList& list,
+                   const RayTable& inside);
+  void (*moveHits)(const Matrix& inverse, const RayTable& rays, const RowList& list,
+                   const std::uint16_t* inside, const HitTable& found, const HitTable& hits);
+  /// Where it is noted what all this takes; null where nobody asks. Not owned.
+  TestTally* tally = nullptr;
+
+  /// Add to the tally what a walk has taken.
+  void countNearest(const Stream& stream) const {
+    if (tally) tally->addNearest({stream.nodesVisited, stream.primitivesTested});
+  }
+  void countShadow(const Stream& stream) const {
+    if (tally) tally->addShadow({stream.nodesVisited, stream.primitivesTested});
+  }
+};
+
+Kernels baselineKernels();
+Kernels avx2Kernels();    // only where the processor has AVX2, FMA, BMI and BMI2
+Kernels avx512Kernels();  // only where it has AVX-512 F, VL, DQ, BW too
+
+}  // namespace accel

@@ -1,0 +1,68 @@
+// RayTable and HitTable: from rows to columns and back.
+#include "geometry/ray_table.h"
+
+#include <algorithm>
+
+namespace {
+
+Vec3d rowOf(double* const column[3], int row) {
+  return {column[0][row], column[1][row], column[2][row]};
+}
+
+void setRowOf(double* const column[3], int row, const Vec3d& v) {
+  for (int axis = 0; axis < 3; ++axis) column[axis][row] = v[axis];
+}
+
+}  // namespace
+
+RayTable::RayTable(Arena& arena, int rows, bool hasSources) : count(rows) {
+  const auto size = std::size_t(rows);
+  for (double*& column : origin) column = arena.take<double>(size);
+  for (double*& column : direction) column = arena.take<double>(size);
+  tmin = arena.take<double>(size);
+  tmax = arena.take<double>(size);
+  if (!hasSources) return;
+  source = arena.take<const Object3D*>(size);
+  sourceFace = arena.take<std::uint32_t>(size);
+}
+
+void RayTable::setRow(int row, const Ray& ray, double least, double most) {
+  setRowOf(origin, row, ray.getOrigin());
+  setRowOf(direction, row, ray.getDirection());
+  tmin[row] = least;
+  tmax[row] = most;
+  if (!source) return;
+  source[row] = ray.getSource();
+  sourceFace[row] = ray.getSourceFace();
+}
+
+HitTable::HitTable(Arena& arena, int rows) {
+  const auto size = std::size_t(rows);
+  material = arena.take<const Material*>(size);
+  object = arena.take<const Object3D*>(size);
+  face = arena.take<std::uint32_t>(size);
+  order = arena.take<std::uint32_t>(size);
+  magnitude = arena.take<double>(size);
+  for (double*& column : normal) column = arena.take<double>(size);
+  for (double*& column : point) column = arena.take<double>(size);
+  std::fill(material, material + size, nullptr);
+  std::fill(order, order + size, NearestSoFar::kNothing);
+}
+
+Hit HitTable::hitOf(int row, double t) const {
+  Hit hit(t);
+  if (!isFound(row)) return hit;
+  hit.record(t, material[row], rowOf(normal, row), rowOf(point, row),
+             {object[row], face[row], magnitude[row]});
+  return hit;
+}
+
+void HitTable::setRow(int row, const Hit& hit, std::uint32_t place) {
+  material[row] = hit.getMaterial();
+  object[row] = hit.getObject();
+  face[row] = hit.getFace();
+  order[row] = place;
+  magnitude[row] = hit.getMagnitude();
+  setRowOf(normal, row, hit.getNormal());
+  setRowOf(point, row, hit.getIntersectionPoint());
+}

@@ -1,0 +1,68 @@
+// The stages of a wave that compute: each is a loop over columns, several rows at a time.
+// They are compiled once for each instruction set; every formula is the one that the scalar classes
+// use. Columns are read and written up to a multiple of eight rows (Arena leaves the room).
+#pragma once
+#include "math/simd_level.h"
+#include "camera/camera.h"
+#include "render/wave_tables.h"
+
+/// A camera that has a wide form; see Camera.
+struct EyeFrame {
+  bool isPerspective;
+  double center[3], direction[3], right[3], up[3];
+  double scale;  ///< the length of the image's longer side: at distance 1, or in the world
+};
+
+/// A light that has a wide form.
+struct LightNumbers {
+  bool isPoint;
+  double place[3];        ///< of a point light; else the unit direction to it
+  double color[3];        ///< each a float
+  double attenuation[3];  ///< of a point light
+};
+
+/// A PhongMaterial or a BlinnPhongMaterial.
+struct PhongNumbers {
+  bool isBlinn;
+  double diffuse[3], specular[3], exponent;
+};
+
+/// How rays go through listed surfaces.
+struct RefractionNumbers {
+  bool keepsStraight;  ///< between equal indices the ray goes straight on, to the last bit
+  double index;        ///< of the material; 1 is that of the other side
+  /// Indices before and behind each place in the list, where they are others; else null.
+  const double *before, *behind;
+};
+
+/// The rays that continue at some surfaces of a table: row `first` of `rays` and those behind it.
+struct LeavingRays {
+  const WaveSurfaces& surfaces;
+  RowList list;
+  const RayTable& rays;
+  int first;
+};
+
+struct WaveKernels {
+  /// The origins and directions of `count` eye rays through the image points (x, y).
+  void (*eyeRays)(const EyeFrame& eye, const double* x, const double* y, int count,
+                  const RayTable& rays);
+  /// Fills `light` with the rays from surfaces that are turned towards it.
+  void (*sampleLight)(const LightNumbers& numbers, const WaveSurfaces& surfaces, WaveLight& light);
+  /// Adds to the surfaces, all of one material, what they send back of the listed light.
+  void (*reflect)(const PhongNumbers& material, const WaveLight& light, const RowList& list,
+                  const WaveSurfaces& surfaces);
+  /// Stores origin and direction of the mirrored rays.
+  void (*mirror)(const LeavingRays& leaving);
+  /// The same for refracted rays but those that are totally reflected: stores for each its place
+  /// in the list, and returns how many there are.
+  int (*refract)(const RefractionNumbers& material, const LeavingRays& leaving,
+                 std::uint16_t* places);
+};
+
+WaveKernels baselineWaveKernels();
+WaveKernels avx2WaveKernels();    // only where the processor has AVX2, FMA, BMI and BMI2
+WaveKernels avx512WaveKernels();  // only where it has AVX-512 F, VL, DQ, BW too
+
+/// Those of a level that the processor has.
+const WaveKernels& waveKernels(SimdLevel level);

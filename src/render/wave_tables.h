@@ -1,0 +1,80 @@
+// The tables of a wave: a generation of rays, the surfaces that they meet, and the light that
+// comes to these. All memory is an Arena's; nothing is owned.
+#pragma once
+#include <cstdint>
+
+#include "geometry/ray_table.h"
+#include "render/surface.h"
+
+/// Rays that have made the same number of bounces. Row i continues surface parent[i] of the
+/// generation before; an eye ray continues none.
+struct WaveRays : RayTable {
+  float* weight;  ///< the share that the ray's colour has in the pixel
+  Vec3f* factor;  ///< of its colour in that of the surface
+  std::uint16_t* parent;
+
+  /// Room for `rows` rays, none of which is there yet.
+  WaveRays(Arena& arena, int rows, bool hasSources);
+};
+
+/// A surface in the order of the rays: a hit, or one component of it where a texture was hit.
+struct WaveHit {
+  std::uint16_t ray;         ///< the row of the ray
+  std::uint16_t place;       ///< of the surface in WaveSurfaces
+  bool isComponent;          ///< of a texture
+  const Material* material;  ///< not a texture
+  double share;              ///< in the ray's colour: 1 but for a component
+};
+
+/// Surfaces [first, last) are of one material.
+struct MaterialGroup {
+  const Material* material;
+  int first, last;
+};
+
+/// Surfaces, those of one material side by side, groups in the order of their first surface.
+struct WaveSurfaces {
+  int count;
+  MaterialGroup* groups;
+  int groupCount = 0;
+
+  std::uint16_t* ray;  ///< the row of the ray that met it
+  double* view[3];     ///< direction of that ray, unit
+  double* point[3];
+  double* normal[3];  ///< unit; its side is the surface's own
+  double* lit[3];     ///< the normal on the side that lights see
+  double* tmin;       ///< epsilon, for rays that leave
+  float* weight;      ///< of the colour in the pixel
+  double* sum[3];     ///< the colour so far, but for Interface::tint
+
+  /// Sorts `count` hits, whose places it sets, and takes over what is known of them. `lit` is
+  /// `normal`.
+  WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* met, int count, Arena& arena);
+
+  void add(int row, const Vec3d& color) const {
+    for (int axis = 0; axis < 3; ++axis) sum[axis][row] += color[axis];
+  }
+
+ private:
+  void sort(WaveHit* met, Arena& arena);
+};
+
+/// The shadow rays to one light, from the surfaces that are turned towards it, and what arrives.
+struct WaveLight : RayTable {
+  std::uint16_t* surface;  ///< row i comes from surface[i]; they ascend
+  double* color[3];        ///< what arrives where nothing is in the way; each a float
+
+  /// Room for `rows` rays, none of which is there yet.
+  WaveLight(Arena& arena, int rows, bool hasSources);
+};
+
+/// Row `row` of three columns.
+inline Vec3d rowOf(const double* const column[3], int row) {
+  return {column[0][row], column[1][row], column[2][row]};
+}
+inline void setRowOf(double* const column[3], int row, const Vec3d& v) {
+  for (int axis = 0; axis < 3; ++axis) column[axis][row] = v[axis];
+}
+inline void copyTo(double (&numbers)[3], const Vec3d& v) {
+  for (int axis = 0; axis < 3; ++axis) numbers[axis] = v[axis];
+}

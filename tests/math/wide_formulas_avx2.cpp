@@ -1,0 +1,5 @@
+// The formulas of wide_formulas.h for avx2: compiled with flags of its own where the processor
+// may have it; elsewhere never asked.
+#include "wide_formulas.h"
+
+wide::Lanes wide::avx2Lanes() { return ofThisUnit(); }
