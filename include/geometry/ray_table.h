@@ -124,12 +124,13 @@ class BatchGeometry {
  public:
   virtual ~BatchGeometry() = default;
 
-  /// Object3D::intersect for all rays of the table. Where something is found, the ray's tmax becomes
-  /// its t, and its row of `hits`, in which nothing was found before, is set.
+  /// Object3D::intersect for all rays of the table. Where something is found, the ray's tmax
+  /// becomes its t, and its row of `hits`, in which nothing was found before, is set.
   virtual void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const = 0;
   /// Object3D::occluded for all rays of the table; stores each answer in blocked[row].
   virtual void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const = 0;
-  /// Object3D::visitCrossings for all rays of the table, whose tmin and tmax are taken no notice of.
+  /// Object3D::visitCrossings for all rays of the table, whose tmin and tmax are taken no notice
+  /// of.
   virtual void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
                                  Arena& arena) const = 0;
   /// The instruction set that it uses, one that the processor has.

@@ -11,6 +11,7 @@
 #include "render/ray_tracer.h"
 
 struct MaterialGroup;
+struct WaveGeneration;
 struct WaveHit;
 struct WaveKernels;
 struct WaveLight;
@@ -37,17 +38,17 @@ class WaveTracer {
 
  private:
   class Branches;
-  struct Generation;
 
   void traceOneByOne(const WaveRays& rays, int bounces, HitTable& hits, Vec3f* colors);
   const Interface* meet(WaveRays& rays, HitTable& hits);
-  void shade(const Generation& generation, WaveHit* met, int count, Vec3f* colors, Vec3d* mixtures);
-  void setSides(const Generation& generation, WaveSurfaces& surfaces);
-  void addLight(int index, const Generation& generation, const WaveSurfaces& surfaces);
-  void sampleLight(int index, const Generation& generation, const WaveSurfaces& surfaces,
+  void shade(const WaveGeneration& generation, WaveHit* met, int count, Vec3f* colors,
+             Vec3d* mixtures);
+  void setSides(const WaveGeneration& generation, WaveSurfaces& surfaces);
+  void addLight(int index, const WaveGeneration& generation, const WaveSurfaces& surfaces);
+  void sampleLight(int index, const WaveGeneration& generation, const WaveSurfaces& surfaces,
                    WaveLight& light) const;
   RowList findVisible(WaveLight& light);
-  void reflect(const MaterialGroup& group, const Generation& generation, const WaveLight& light,
+  void reflect(const MaterialGroup& group, const WaveGeneration& generation, const WaveLight& light,
                const RowList& rows, const WaveSurfaces& surfaces) const;
 
   const RayTracer& tracer_;       // not owned

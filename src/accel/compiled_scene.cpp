@@ -169,7 +169,8 @@ void CompiledScene::occludedAll(const RayTable& rays, bool* blocked, Arena& aren
   if (held.count == rays.count) return;
   for (int row = 0; row < rays.count; ++row) {
     const Ray ray = rays.rayOf(row);
-    if (!RayRange::holds(ray.getOrigin())) blocked[row] = root_->occluded(ray, rays.tmin[row], rays.tmax[row]);
+    if (!RayRange::holds(ray.getOrigin()))
+      blocked[row] = root_->occluded(ray, rays.tmin[row], rays.tmax[row]);
   }
 }
 

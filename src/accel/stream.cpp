@@ -25,8 +25,18 @@ float ParameterMap::below(double t) const {
 float ParameterMap::above(double t) const { return -ParameterMap{-scale, -shift}.below(t); }
 
 Stream::Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena)
-    : bvh(&tree), nodes(tree.root()), words(tree.words()), rays(&table), list(rows), count(0), candidateCount(0), nodesVisited(0),
-      primitivesTested(0), resolve(nullptr), askObject(nullptr), context(nullptr) {
+    : bvh(&tree),
+      nodes(tree.root()),
+      words(tree.words()),
+      rays(&table),
+      list(rows),
+      count(0),
+      candidateCount(0),
+      nodesVisited(0),
+      primitivesTested(0),
+      resolve(nullptr),
+      askObject(nullptr),
+      context(nullptr) {
   const auto most = std::size_t(rows.count);
   boxRays = arena.take<BoxRay>(most);
   primitiveRays = arena.take<PrimitiveRay>(most);

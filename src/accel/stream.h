@@ -55,8 +55,8 @@ struct ParameterMap {
 struct BoxRay {
   float reciprocal[3];  ///< of the direction, finite
   float nearOffset[3], farOffset[3];
-  float tminDown;  ///< below tmin', >= 0
-  float tmaxUp;    ///< above tmax'; -infinity where the ray wants nothing any more
+  float tminDown;     ///< below tmin', >= 0
+  float tmaxUp;       ///< above tmax'; -infinity where the ray wants nothing any more
   std::uint32_t row;  ///< of the ray in its table
 };
 static_assert(sizeof(BoxRay) == 48, "three quarters of a cache line");
@@ -65,7 +65,7 @@ static_assert(sizeof(BoxRay) == 48, "three quarters of a cache line");
 struct PrimitiveRay {
   float originHigh[3], originLow[3];  ///< the origin as the sum of two floats
   float direction[3];
-  float tminUp, tmaxDown;  ///< above tmin' (>= 0) and below tmax'
+  float tminUp, tmaxDown;      ///< above tmin' (>= 0) and below tmax'
   float reach;                 ///< R
   float edgeError;             ///< 64 e R D
   float determinantError;      ///< 48 e D
@@ -111,8 +111,8 @@ struct Stream {
 
   // What the walk needs.
   StreamEntry* stack;
-  std::uint16_t* pool;   ///< the lists of all entries
-  std::uint8_t* masks;   ///< which boxes of a node each ray of a list meets
+  std::uint16_t* pool;  ///< the lists of all entries
+  std::uint8_t* masks;  ///< which boxes of a node each ray of a list meets
 
   // What it finds.
   Candidate* candidates;
@@ -160,10 +160,10 @@ struct alignas(64) TriangleHits {
 struct ShapeNumbers {
   bool isSphere;
   double place[3], size;
-  double extent;           ///< the largest number of them, as magnitudeOf wants it
-  const Object3D* object;  ///< not owned
+  double extent;             ///< the largest number of them, as magnitudeOf wants it
+  const Object3D* object;    ///< not owned
   const Material* material;  ///< not owned
-  std::uint32_t order;     ///< place in the scene
+  std::uint32_t order;       ///< place in the scene
 };
 
 /// One instruction set.

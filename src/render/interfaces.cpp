@@ -125,7 +125,8 @@ bool Interfaces::dependsOnMedia(const Hit& hit) const {
 
 /// Surfaces as near as this to a hit belong to it: secondary rays do not see them either.
 double Interfaces::reachOf(const Hit& hit) const {
-  return std::max(double(shader_->epsilonAt(hit.getMagnitude())), hit.getMagnitude() * Shader::kRounding);
+  return std::max(double(shader_->epsilonAt(hit.getMagnitude())),
+                  hit.getMagnitude() * Shader::kRounding);
 }
 
 /// Fills in `interface` from the media along the ray, whose parameter is `start` where `media`

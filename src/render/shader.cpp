@@ -71,8 +71,7 @@ Vec3d Shader::reflected(const Surface& s, const LightSample& light, const Vec3f&
 
 bool Shader::sends(RayKind kind, const Material& material) const {
   if (kind == RayKind::refracted) return isGlass(material);
-  return anyPositive(material.getReflectiveColor()) ||
-         (options_.fresnel && isGlass(material));
+  return anyPositive(material.getReflectiveColor()) || (options_.fresnel && isGlass(material));
 }
 
 /// By the number of bounces, or where a ray would weigh too little.

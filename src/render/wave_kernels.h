@@ -2,8 +2,8 @@
 // They are compiled once for each instruction set; every formula is the one that the scalar classes
 // use. Columns are read and written up to a multiple of eight rows (Arena leaves the room).
 #pragma once
-#include "math/simd_level.h"
 #include "camera/camera.h"
+#include "math/simd_level.h"
 #include "render/wave_tables.h"
 
 /// A camera that has a wide form; see Camera.

@@ -75,8 +75,7 @@ WaveSurfaces::WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* 
   for (int k = 0; k < rows; ++k) {
     const int row = met[k].ray, place = met[k].place;
     ray[place] = met[k].ray;
-    weight[place] =
-        met[k].isComponent ? rays.weight[row] * float(met[k].share) : rays.weight[row];
+    weight[place] = met[k].isComponent ? rays.weight[row] * float(met[k].share) : rays.weight[row];
     for (int axis = 0; axis < 3; ++axis) {
       view[axis][place] = rays.direction[axis][row];
       point[axis][place] = hits.point[axis][row];

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "geometry/ray_table.h"
-#include "render/surface.h"
+#include "render/interfaces.h"
 
 /// Rays that have made the same number of bounces. Row i continues surface parent[i] of the
 /// generation before; an eye ray continues none.
@@ -15,6 +15,19 @@ struct WaveRays : RayTable {
 
   /// Room for `rows` rays, none of which is there yet.
   WaveRays(Arena& arena, int rows, bool hasSources);
+};
+
+/// A table of rays, and what they have met.
+struct WaveGeneration {
+  const WaveRays& rays;
+  const HitTable& hits;
+  const Interface* interfaces;  ///< of each ray; null where all are plain
+  int bounces;
+
+  /// On both sides of what ray `row` has met; `approach` is n.v.
+  const Interface& interfaceOf(int row, double approach) const {
+    return interfaces ? interfaces[row] : Interfaces::plainInterface(approach);
+  }
 };
 
 /// A surface in the order of the rays: a hit, or one component of it where a texture was hit.

@@ -14,11 +14,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <typeinfo>
 
-#include "render/transmittance.h"
 #include "render/wave_kernels.h"
-#include "shading/phong_material.h"
 #include "shading/solid_texture.h"
 
 namespace {
@@ -28,54 +25,13 @@ constexpr int kFewRays = 4;
 constexpr int kMostGenerations = 64;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// False where the light has no wide form.
-bool toNumbers(const Light& light, LightNumbers& numbers) {
-  if (typeid(light) == typeid(DirectionalLight)) {
-    const auto& directional = static_cast<const DirectionalLight&>(light);
-    numbers.isPoint = false;
-    copyTo(numbers.place, directional.getDirToLight());
-    copyTo(numbers.color, directional.getColor());
-    return true;
-  }
-  if (typeid(light) != typeid(PointLight)) return false;
-  const auto& point = static_cast<const PointLight&>(light);
-  numbers.isPoint = true;
-  copyTo(numbers.place, point.getPosition());
-  copyTo(numbers.color, point.getColor());
-  copyTo(numbers.attenuation, point.getAttenuation());
-  return true;
-}
-
-/// False where the material has no wide form.
-bool toNumbers(const Material& material, PhongNumbers& numbers) {
-  numbers.isBlinn = typeid(material) == typeid(BlinnPhongMaterial);
-  if (!numbers.isBlinn && typeid(material) != typeid(PhongMaterial)) return false;
-  const auto& phong = static_cast<const PhongMaterial&>(material);
-  copyTo(numbers.diffuse, phong.getDiffuseColor());
-  copyTo(numbers.specular, phong.getSpecularColor());
-  numbers.exponent = double(phong.getExponent());
-  return true;
-}
-
 }  // namespace
-
-/// A table of rays, and what they have met.
-struct WaveTracer::Generation {
-  const WaveRays& rays;
-  const HitTable& hits;
-  const Interface* interfaces;  // of each ray; null where all are plain
-  int bounces;
-
-  const Interface& interfaceOf(int row, double approach) const {
-    return interfaces ? interfaces[row] : Interfaces::plainInterface(approach);
-  }
-};
 
 /// The rays that continue at the surfaces of one table: first all mirrored, then all refracted
 /// ones. They are traced when the table is full, and at the end.
 class WaveTracer::Branches {
  public:
-  Branches(WaveTracer& tracer, const Generation& generation, WaveSurfaces& surfaces)
+  Branches(WaveTracer& tracer, const WaveGeneration& generation, WaveSurfaces& surfaces)
       : tracer_(tracer),
         generation_(generation),
         surfaces_(surfaces),
@@ -174,8 +130,8 @@ class WaveTracer::Branches {
       numbers.before = before_;
       numbers.behind = behind_;
     }
-    const int kept = tracer_.kernels_.refract(
-        numbers, {surfaces_, {rows_, count}, next_, next_.count}, places_);
+    const int kept =
+        tracer_.kernels_.refract(numbers, {surfaces_, {rows_, count}, next_, next_.count}, places_);
     for (int k = 0; k < kept; ++k) append(places_[k]);
     countRays(RayKind::refracted, kept);
     countEnds(RayKind::refracted, Outcome::totalReflection, count - kept);
@@ -213,7 +169,7 @@ class WaveTracer::Branches {
   }
 
   WaveTracer& tracer_;
-  const Generation& generation_;
+  const WaveGeneration& generation_;
   WaveSurfaces& surfaces_;
   WaveRays next_;
   // Of the surfaces at which rays follow.
@@ -236,7 +192,7 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
   }
   if (counts_ && bounces == 0) counts_->addRays(RayKind::eye, 0, std::size_t(rays.count));
   const Arena::Frame frame(arena_);
-  const Generation generation = {rays, hits, meet(rays, hits), bounces};
+  const WaveGeneration generation = {rays, hits, meet(rays, hits), bounces};
   WaveHit* met = arena_.take<WaveHit>(std::size_t(RayTable::kMost));
   Vec3d* mixtures = nullptr;  // the sums of textures' components, for each ray
   int count = 0;
@@ -269,8 +225,7 @@ void WaveTracer::traceOneByOne(const WaveRays& rays, int bounces, HitTable& hits
   for (int row = 0; row < rays.count; ++row) {
     Ray ray = rays.rayOf(row);
     Hit hit;
-    colors[row] =
-        tracer_.traceRay(ray, float(rays.tmin[row]), bounces, rays.weight[row], 1, hit);
+    colors[row] = tracer_.traceRay(ray, float(rays.tmin[row]), bounces, rays.weight[row], 1, hit);
     if (!hit.getMaterial()) continue;
     rays.tmax[row] = hit.getT();
     hits.setRow(row, hit, 0);
@@ -304,15 +259,14 @@ const Interface* WaveTracer::meet(WaveRays& rays, HitTable& hits) {
   }
   if (counts_) {
     const auto* order = hits.order;
-    counts_->addMisses(
-        std::size_t(std::count(order, order + rays.count, NearestSoFar::kNothing)));
+    counts_->addMisses(std::size_t(std::count(order, order + rays.count, NearestSoFar::kNothing)));
   }
   return found;
 }
 
 /// RayTracer::shade for many surfaces, none of a texture. Every sum grows in the same order: the
 /// ambient term may follow the lights, as a + l is l + a to the last bit.
-void WaveTracer::shade(const Generation& generation, WaveHit* met, int count, Vec3f* colors,
+void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count, Vec3f* colors,
                        Vec3d* mixtures) {
   if (count == 0) return;
   const Arena::Frame frame(arena_);
@@ -338,7 +292,7 @@ void WaveTracer::shade(const Generation& generation, WaveHit* met, int count, Ve
 }
 
 /// Sets where rays that leave begin to look, and which side lights see.
-void WaveTracer::setSides(const Generation& generation, WaveSurfaces& surfaces) {
+void WaveTracer::setSides(const WaveGeneration& generation, WaveSurfaces& surfaces) {
   const Shader& shader = tracer_.shader();
   for (int k = 0; k < surfaces.count; ++k) {
     surfaces.tmin[k] = double(shader.epsilonAt(generation.hits.magnitude[surfaces.ray[k]]));
@@ -349,101 +303,6 @@ void WaveTracer::setSides(const Generation& generation, WaveSurfaces& surfaces) 
     const Vec3d normal = rowOf(surfaces.normal, k);
     const bool isTurned = shader.isTurned(dot(normal, rowOf(surfaces.view, k)));
     setRowOf(surfaces.lit, k, isTurned ? -normal : normal);
-  }
-}
-
-/// Adds to each sum what light `index` brings there.
-void WaveTracer::addLight(int index, const Generation& generation, const WaveSurfaces& surfaces) {
-  const Arena::Frame frame(arena_);
-  WaveLight light(arena_, surfaces.count, hasSources_);
-  sampleLight(index, generation, surfaces, light);
-  const RowList visible = findVisible(light);
-  const std::uint16_t* row = visible.begin();
-  for (int g = 0; g < surfaces.groupCount; ++g) {
-    const std::uint16_t* const first = row;
-    while (row != visible.end() && light.surface[*row] < surfaces.groups[g].last) ++row;
-    if (row == first) continue;
-    reflect(surfaces.groups[g], generation, light, {first, int(row - first)}, surfaces);
-  }
-}
-
-/// Makes the shadow rays from surfaces that are turned towards the light.
-void WaveTracer::sampleLight(int index, const Generation& generation,
-                             const WaveSurfaces& surfaces, WaveLight& light) const {
-  const Light& asked = *tracer_.scene().getLight(index);
-  LightNumbers numbers;
-  if (toNumbers(asked, numbers)) {
-    kernels_.sampleLight(numbers, surfaces, light);
-  } else {
-    for (int k = 0; k < surfaces.count; ++k) {
-      Vec3d direction;
-      Vec3f color;
-      double distance;
-      asked.getIllumination(rowOf(surfaces.point, k), direction, color, distance);
-      if (!(dot(rowOf(surfaces.lit, k), direction) > 0)) continue;
-      light.surface[light.count] = std::uint16_t(k);
-      setRowOf(light.direction, light.count, direction);
-      setRowOf(light.color, light.count, color);
-      light.tmax[light.count++] = distance;
-    }
-  }
-  for (int row = 0; row < light.count; ++row) {
-    const int k = light.surface[row];
-    setRowOf(light.origin, row, rowOf(surfaces.point, k));
-    light.tmin[row] = surfaces.tmin[k];
-    if (!light.source) continue;
-    light.source[row] = generation.hits.object[surfaces.ray[k]];
-    light.sourceFace[row] = generation.hits.face[surfaces.ray[k]];
-  }
-}
-
-/// The rows of the light of which anything arrives; its colour becomes what does.
-RowList WaveTracer::findVisible(WaveLight& light) {
-  const RenderOptions& options = tracer_.shader().options();
-  if (!options.shadows) return RowList::all(light.count, arena_);
-  auto* rows = arena_.take<std::uint16_t>(std::size_t(light.count));
-  int count = 0;
-  if (batches_ && !options.transparentShadows) {
-    auto* blocked = arena_.take<bool>(std::size_t(light.count));
-    batches_->occludedAll(light, blocked, arena_);
-    for (int row = 0; row < light.count; ++row) {
-      if (!blocked[row]) rows[count++] = std::uint16_t(row);
-    }
-  } else {
-    auto* visible = arena_.take<Vec3f>(std::size_t(light.count));
-    if (batches_) {
-      transmittances(*batches_, light, arena_, visible);
-    } else {
-      for (int row = 0; row < light.count; ++row) {
-        visible[row] = tracer_.visibility({light.rayOf(row), light.tmin[row], light.tmax[row]});
-      }
-    }
-    for (int row = 0; row < light.count; ++row) {
-      if (visible[row] == Vec3f()) continue;
-      setRowOf(light.color, row, Vec3f(rowOf(light.color, row)) * visible[row]);
-      rows[count++] = std::uint16_t(row);
-    }
-  }
-  if (counts_) {
-    counts_->addShadowRays(std::size_t(light.count), std::size_t(light.count - count));
-  }
-  return {rows, count};
-}
-
-/// Adds what the surfaces of a group send back of the listed light.
-void WaveTracer::reflect(const MaterialGroup& group, const Generation& generation,
-                         const WaveLight& light, const RowList& rows,
-                         const WaveSurfaces& surfaces) const {
-  PhongNumbers numbers;
-  if (toNumbers(*group.material, numbers)) return kernels_.reflect(numbers, light, rows, surfaces);
-  for (const int row : rows) {
-    const int k = light.surface[row], ray = surfaces.ray[k];
-    const Hit hit = generation.hits.hitOf(ray, generation.rays.tmax[ray])
-                        .withMaterial(group.material)
-                        .withNormal(rowOf(surfaces.lit, k));
-    surfaces.add(k, group.material->Shade(generation.rays.rayOf(ray), hit,
-                                          Vec3f(rowOf(light.direction, row)),
-                                          Vec3f(rowOf(light.color, row))));
   }
 }
 
