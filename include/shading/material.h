@@ -23,6 +23,8 @@ class Material {
   Vec3f getDiffuseColor() const { return diffuseColor_; }
   /// The factor of light from the other side, along the refracted ray.
   Vec3f getTransparentColor() const { return transparentColor_; }
+  /// Whether any light comes through.
+  bool isTransparent() const { return anyPositive(transparentColor_); }
   /// The factor of light along the mirrored ray.
   Vec3f getReflectiveColor() const { return reflectiveColor_; }
   /// Of the side that normals point away from; matters only where the material is transparent.

@@ -18,12 +18,12 @@
 namespace accel {
 namespace {
 
-void noObject(Stream&, std::uint32_t, const std::uint16_t*, int) {}
-
 /// The rays of one stream, asking one mesh.
 class MeshQuestion {
  public:
   MeshQuestion(const MeshInScene& asked, Stream& stream) : asked_(asked), stream_(stream) {}
+  /// A mesh has no leaves of objects.
+  static void askObject(Stream&, std::uint32_t, const std::uint16_t*, int) {}
 
  protected:
   MeshTree::Triangle triangleOf(const Candidate& c) const {
@@ -163,13 +163,6 @@ struct CrossingsOfMesh : MeshQuestion {
   RowCrossingVisitor& visitor;
 };
 
-template <class Question>
-void attachMesh(Question& question, Stream& stream) {
-  stream.resolve = Question::resolve;
-  stream.askObject = noObject;
-  stream.context = &question;
-}
-
 }  // namespace
 
 void nearestInMesh(const Kernels& kernels, const MeshInScene& asked, const RayTable& rays,
@@ -180,7 +173,7 @@ void nearestInMesh(const Kernels& kernels, const MeshInScene& asked, const RayTa
   kernels.prepare(stream);
   if (stream.count == 0) return;
   NearestInMesh question(asked, stream, hits, arena);
-  attachMesh(question, stream);
+  stream.attach(question);
   kernels.nearest(stream);
   kernels.countNearest(stream);
   question.finish(kernels);
@@ -193,7 +186,7 @@ void occludedByMesh(const Kernels& kernels, const MeshInScene& asked, const RayT
   Stream stream(asked.tree.bvh(), rays, list, arena);
   kernels.prepare(stream);
   OccludedByMesh question(asked, stream);
-  attachMesh(question, stream);
+  stream.attach(question);
   kernels.any(stream);
   kernels.countShadow(stream);
   OccludedByMesh::resolve(stream);
@@ -207,7 +200,7 @@ void visitMeshCrossings(const Kernels& kernels, const MeshInScene& asked, const 
   Stream stream(asked.tree.bvh(), rays, list, arena);
   kernels.prepare(stream);
   CrossingsOfMesh question(asked, stream, visitor);
-  attachMesh(question, stream);
+  stream.attach(question);
   kernels.all(stream);
   kernels.countShadow(stream);
   CrossingsOfMesh::resolve(stream);

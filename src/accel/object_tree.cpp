@@ -117,13 +117,6 @@ struct CrossingsInTree : TreeQuestion {
   }
 };
 
-template <class Question>
-void attach(Question& question, Stream& stream) {
-  stream.resolve = Question::resolve;
-  stream.askObject = Question::askObject;
-  stream.context = &question;
-}
-
 }  // namespace
 
 /// The shapes, all for several rays at once; then the hits of each.
@@ -176,7 +169,7 @@ void ObjectTree::nearest(const RayTable& rays, const RowList& list, HitTable& hi
   Stream stream(bvh_, rays, list, arena);
   kernels_->prepare(stream);
   NearestInTree question{{*this, arena}, hits};
-  attach(question, stream);
+  stream.attach(question);
   kernels_->nearest(stream);
   kernels_->countNearest(stream);
   NearestInTree::resolve(stream);
@@ -200,7 +193,7 @@ void ObjectTree::occluded(const RayTable& rays, const RowList& list, bool* block
   Stream stream(bvh_, rays, open, arena);
   kernels_->prepare(stream);
   OccludedInTree question{{*this, arena}, blocked};
-  attach(question, stream);
+  stream.attach(question);
   kernels_->any(stream);
   kernels_->countShadow(stream);
   OccludedInTree::resolve(stream);
@@ -223,7 +216,7 @@ void ObjectTree::visitCrossings(const RayTable& rays, const RowList& list,
   Stream stream(bvh_, rays, list, arena);
   kernels_->prepare(stream);
   CrossingsInTree question{{*this, arena}, visitor};
-  attach(question, stream);
+  stream.attach(question);
   kernels_->all(stream);
   kernels_->countShadow(stream);
   CrossingsInTree::resolve(stream);

@@ -129,6 +129,15 @@ struct Stream {
   /// set. Nothing is owned.
   Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena);
 
+  /// Sets the call backs: Question::resolve and Question::askObject, which find `question`, not
+  /// owned, in context.
+  template <class Question>
+  void attach(Question& question) {
+    resolve = Question::resolve;
+    askObject = Question::askObject;
+    context = &question;
+  }
+
   int rowOf(int ray) const { return int(boxRays[ray].row); }
   /// Lowers the bounds of a ray to t, where they are higher.
   void lowerBound(int ray, double t);

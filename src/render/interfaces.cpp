@@ -13,11 +13,9 @@
 
 namespace {
 
-bool isTransparent(const Material& material) { return anyPositive(material.getTransparentColor()); }
-
 bool anyTransparent(const SceneParser& scene) {
   for (int i = 0; i < scene.getNumMaterials(); ++i) {
-    if (isTransparent(*scene.getMaterial(i))) return true;
+    if (scene.getMaterial(i)->isTransparent()) return true;
   }
   return false;
 }
@@ -118,7 +116,7 @@ bool Interfaces::walk(const Ray& ray, double tmax, const Media& media, double st
 /// Whether `hit` asks for all that lies along the ray. What is far from all solids has air around.
 bool Interfaces::dependsOnMedia(const Hit& hit) const {
   const RenderOptions& options = shader_->options();
-  const bool isNested = options.nestedDielectrics && isTransparent(*hit.getMaterial());
+  const bool isNested = options.nestedDielectrics && hit.getMaterial()->isTransparent();
   if (!options.fresnel && !isNested) return false;
   return !solids_ || !solids_->areBeyond(hit.getIntersectionPoint(), reachOf(hit));
 }

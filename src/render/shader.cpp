@@ -24,8 +24,6 @@ Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   return {isUsual ? Epsilon::Kind::fixed : Epsilon::Kind::adaptive, Epsilon::kCourse};
 }
 
-bool isGlass(const Material& material) { return anyPositive(material.getTransparentColor()); }
-
 /// n.v: below 0 where the ray comes from outside.
 double approachOf(const Surface& s) { return dot(s.hit.getNormal(), s.ray.getDirection()); }
 
@@ -70,8 +68,9 @@ Vec3d Shader::reflected(const Surface& s, const LightSample& light, const Vec3f&
 }
 
 bool Shader::sends(RayKind kind, const Material& material) const {
-  if (kind == RayKind::refracted) return isGlass(material);
-  return anyPositive(material.getReflectiveColor()) || (options_.fresnel && isGlass(material));
+  if (kind == RayKind::refracted) return material.isTransparent();
+  return anyPositive(material.getReflectiveColor()) ||
+         (options_.fresnel && material.isTransparent());
 }
 
 /// By the number of bounces, or where a ray would weigh too little.
@@ -113,7 +112,7 @@ Vec3f Shader::mirrorFactor(const Material& material, const Interface& interface,
                            double approach) const {
   const Vec3f color = material.getReflectiveColor();
   if (!options_.fresnel) return color;
-  if (isGlass(material)) return grey(reflectance(material, interface, approach));
+  if (material.isTransparent()) return grey(reflectance(material, interface, approach));
   if (!anyPositive(color)) return Vec3f();
   return Vec3f(schlickReflectance(std::fabs(approach), Vec3d(color)));
 }
