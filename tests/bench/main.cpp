@@ -1,4 +1,5 @@
-// The benchmark: raytracer_bench [row ...] [size ...] [-quick] [-single] [-cpu] [-simd NAME].
+// The benchmark: raytracer_bench [row ...] [size ...] [-quick] [-single] [-cpu] [-simd NAME]
+// [-against RAYTRACER].
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -28,6 +29,8 @@ void runRows(const bench::BenchOptions& options) {
   if (options.wants("read")) bench::runReadRows(options);
   if (options.wants("program")) bench::runProgramRows(options);
   if (options.wants("tiny")) bench::runTinyRows(options);
+  if (options.wants("bad")) bench::runBadMeshRows(options);
+  if (options.wants("png")) bench::runPngRows(options);
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+
+#include "system/worker_threads.h"
 
 namespace bench {
 namespace {
@@ -72,24 +75,41 @@ std::vector<Samples> inTurns(int rounds, const std::vector<std::function<double(
   return samples;
 }
 
+const std::string& processorName() {
+  static const std::string name = [] {
+    std::ifstream in("/proc/cpuinfo");
+    std::string line, model = "processor unknown";
+    while (std::getline(in, line)) {
+      if (line.rfind("model name", 0) == 0) {
+        model = line.substr(line.find(':') + 2);
+        break;
+      }
+    }
+    return model + " x " + std::to_string(hardwareThreads());
+  }();
+  return name;
+}
+
 void printRow(const std::string& figure, const std::string& unit, const Samples& ours,
               const std::string& rival, const Samples& theirs, Target target) {
   const std::string must = target.must > 0 ? "must " + numberText(target.must) : "";
   const std::string aim = target.aim > 0 ? "aim " + numberText(target.aim) : "";
-  std::printf("%-34s %-8s %-25s %-10s %-26s %-9s %-8s %6.2f\n", figure.c_str(), unit.c_str(),
+  std::printf("%-34s %-8s %-25s %-10s %-26s %-9s %-8s %6.2f  %s\n", figure.c_str(), unit.c_str(),
               samplesText(ours).c_str(), rival.c_str(), samplesText(theirs).c_str(), must.c_str(),
-              aim.c_str(), theirs.empty() ? 0.0 : ours.median() / theirs.median());
+              aim.c_str(), theirs.empty() ? 0.0 : ours.median() / theirs.median(),
+              processorName().c_str());
   std::fflush(stdout);
 }
 
 void printAlone(const std::string& figure, const std::string& unit, const Samples& ours) {
-  std::printf("%-34s %-8s %-25s\n", figure.c_str(), unit.c_str(), samplesText(ours).c_str());
+  std::printf("%-34s %-8s %-25s %-63s %s\n", figure.c_str(), unit.c_str(),
+              samplesText(ours).c_str(), "", processorName().c_str());
   std::fflush(stdout);
 }
 
 void printHeading(const std::string& title) {
-  std::printf("\n%s\n%-34s %-8s %-25s %-37s %-18s %6s\n", title.c_str(), "figure", "unit",
-              "ours (least..most)", "theirs (least..most)", "target", "ratio");
+  std::printf("\n%s\n%-34s %-8s %-25s %-37s %-18s %6s  %s\n", title.c_str(), "figure", "unit",
+              "ours (least..most)", "theirs (least..most)", "target", "ratio", "processor");
   std::fflush(stdout);
 }
 

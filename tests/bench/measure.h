@@ -39,7 +39,10 @@ struct Target {
   double must = 0, aim = 0;
 };
 
-/// One line of the table: ours, theirs, and ours / theirs in the last column.
+/// The processor's name and the number of threads that it runs at a time.
+const std::string& processorName();
+
+/// One line of the table: ours, theirs, ours / theirs, and the processor.
 void printRow(const std::string& figure, const std::string& unit, const Samples& ours,
               const std::string& rival, const Samples& theirs, Target target = {});
 /// The same without a rival.

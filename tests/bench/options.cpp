@@ -7,7 +7,7 @@
 namespace bench {
 namespace {
 
-const std::vector<std::string> kRows = {"rays", "build", "read", "program", "tiny"};
+const std::vector<std::string> kRows = {"rays", "build", "read", "program", "tiny", "bad", "png"};
 const std::vector<Size> kSizes = {{"70k", 70e3}, {"1m", 1e6}, {"10m", 10e6}};
 
 /// Takes the name of a row or a size; false for any other word.
@@ -28,7 +28,7 @@ Size sizeNamed(const std::string& name) {
     if (size.name == name) return size;
   }
   throw std::runtime_error(
-      "expected a row (rays, build, read, program, tiny) or a size (70k, 1m, "
+      "expected a row (rays, build, read, program, tiny, bad, png) or a size (70k, 1m, "
       "10m), found " +
       name);
 }
@@ -59,10 +59,12 @@ BenchOptions parseBenchOptions(int count, char** words) {
       options.clock = Clock::processor;
     } else if (word == "-simd" && i + 1 < count) {
       options.simd = simdNamed(words[++i]);
+    } else if (word == "-against" && i + 1 < count) {
+      options.against = words[++i];
     } else {
       throw std::runtime_error(
-          "usage: raytracer_bench [rays|build|read|program|tiny ...] [70k|1m|10m ...] [-quick] "
-          "[-single] [-cpu] [-simd NAME]");
+          "usage: raytracer_bench [rays|build|read|program|tiny|bad|png ...] [70k|1m|10m ...] "
+          "[-quick] [-single] [-cpu] [-simd NAME] [-against RAYTRACER]");
     }
   }
   if (options.rows.empty()) options.rows = kRows;

@@ -14,13 +14,14 @@ struct Size {
 };
 
 struct BenchOptions {
-  std::vector<std::string> rows;  ///< of rays, build, read, program, tiny; never empty
+  std::vector<std::string> rows;  ///< of kRows in options.cpp; never empty
   std::vector<Size> sizes;        ///< never empty
   int rounds = 5;
   int side = 1024;            ///< of the picture of rays
-  bool isSingleOnly = false;  ///< leave out our batches
+  bool isSingleOnly = false;  ///< leave out our streams
   Clock clock = Clock::wall;  ///< of the rows rays and build
   SimdLevel simd = SimdLevel::automatic;
+  std::string against;  ///< path of another build of the program, which takes turns; or ""
 
   bool wants(const std::string& row) const;
 };

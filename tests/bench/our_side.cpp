@@ -49,7 +49,7 @@ std::size_t traceOurSingle(const CompiledScene& scene, const RaySet& set, std::s
   return hits;
 }
 
-std::size_t traceOurBatches(const CompiledScene& scene, const RaySet& set, std::size_t first,
+std::size_t traceOurStreams(const CompiledScene& scene, const RaySet& set, std::size_t first,
                             std::size_t end, bool anyHit) {
   thread_local Arena arena;  // a renderer keeps its own as long
   std::size_t found = 0;

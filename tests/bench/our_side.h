@@ -13,7 +13,7 @@ std::size_t traceOurSingle(const CompiledScene& scene, const RaySet& set, std::s
                            std::size_t end, bool anyHit);
 
 /// The same, all rays of a tile in one call.
-std::size_t traceOurBatches(const CompiledScene& scene, const RaySet& set, std::size_t first,
+std::size_t traceOurStreams(const CompiledScene& scene, const RaySet& set, std::size_t first,
                             std::size_t end, bool anyHit);
 
 }  // namespace bench

@@ -13,7 +13,7 @@
 namespace bench {
 namespace {
 
-constexpr int kTile = 16;
+constexpr int kTile = 32;
 constexpr double kEpsilon = 0.001;
 const Vec3d kCenter(0, 6, 32), kLight(25, 30, 25);
 
@@ -57,7 +57,7 @@ FloatRay toFloat(const Ray& ray, double tmin, double tmax) {
 /// blocks are traced up to 30 % faster than packets of rows.
 int blockOrder(int k) {
   const int x = k % kTile, y = k / kTile;
-  return (y / 4 * 4 + x / 4) * 16 + y % 4 * 4 + x % 4;
+  return (y / 4 * (kTile / 4) + x / 4) * 16 + y % 4 * 4 + x % 4;
 }
 
 /// Packs the last rays of `set`, which belong to `pixels` of one tile.

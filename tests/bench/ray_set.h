@@ -22,8 +22,9 @@ struct alignas(64) FloatPacket {
   int count;
 };
 
-/// A tile is 16 x 16 pixels, row by row; secondary rays keep that order and leave gaps out. Only
-/// the packets hold a tile's rays in blocks of 4 x 4 pixels, which suits them best.
+/// A tile is 32 x 32 pixels, as many rays as a generation of the renderer, row by row; secondary
+/// rays keep that order and leave gaps out. Only the packets hold a tile's rays in blocks of 4 x 4
+/// pixels, which suits them best.
 struct RaySet {
   std::vector<Ray> rays;
   std::vector<double> tmax;

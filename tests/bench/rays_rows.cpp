@@ -1,4 +1,5 @@
-// Rays per second: the same rays through our compiled scene and through the rival, in turns.
+// Rays per second: the same rays through our compiled scene and through the rival, in turns. Ours
+// go as streams, one for each tile, and, for comparison, one by one.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -33,16 +34,15 @@ constexpr Figure kFigures[] = {
     {"diffuse, any", RayKind::diffuse, true, false},
 };
 
-/// A batch takes some 100 kB.
 constexpr std::size_t kStackBytes = 2 << 20;
 
 /// Traces tiles first .. end - 1 and returns how many rays hit.
 using TraceTiles = std::function<std::size_t(std::size_t first, std::size_t end)>;
 
-/// Seconds to trace all tiles on `threads` threads, which fetch 16 tiles at a time.
+/// Seconds to trace all tiles on `threads` threads, which fetch four tiles at a time.
 double secondsToTrace(Clock clock, const RaySet& set, int threads, const TraceTiles& trace,
                       std::size_t& hits) {
-  constexpr std::size_t kChunk = 16;
+  constexpr std::size_t kChunk = 4;
   std::atomic<std::size_t> next{0}, sum{0};
   const double seconds = secondsOf(clock, threads, [&] {
     runOnThreads(threads, kStackBytes, [&](int) {
@@ -83,7 +83,7 @@ class RayRows {
 
  private:
   void runFigure(const Figure& figure);
-  bool hasBatch(const Figure& figure) const { return figure.isCoherent && !options_.isSingleOnly; }
+  bool hasStreams() const { return !options_.isSingleOnly; }
   std::vector<TraceTiles> waysOf(const Figure& figure, const RaySet& set) const;
   void printRates(const Figure& figure, int threads, const std::vector<Samples>& rates) const;
   void printHits(const std::vector<std::size_t>& hits, const RaySet& set) const;
@@ -124,7 +124,7 @@ void RayRows::runFigure(const Figure& figure) {
   for (const Samples& seconds : inTurns(options_.rounds, contenders)) {
     rates.push_back(seconds.inverted(double(set.rays.size()) / 1e6));
   }
-  const std::size_t best = hasBatch(figure) ? 1 : 0, count = ways.size();
+  const std::size_t best = hasStreams() ? 1 : 0, count = ways.size();
   for (std::size_t i = 0; i < threadCounts.size(); ++i) {
     printRates(figure, threadCounts[i],
                {rates.begin() + long(i * count), rates.begin() + long((i + 1) * count)});
@@ -137,15 +137,15 @@ void RayRows::runFigure(const Figure& figure) {
   }
 }
 
-/// Ours one by one and, where rays run alike, in batches; then theirs, E1 and E16.
+/// Ours one by one and as streams; then theirs, E1 and E16.
 std::vector<TraceTiles> RayRows::waysOf(const Figure& figure, const RaySet& set) const {
   std::vector<TraceTiles> ways;
   ways.push_back([&](std::size_t first, std::size_t end) {
     return traceOurSingle(compiled_, set, first, end, figure.anyHit);
   });
-  if (hasBatch(figure)) {
+  if (hasStreams()) {
     ways.push_back([&](std::size_t first, std::size_t end) {
-      return traceOurBatches(compiled_, set, first, end, figure.anyHit);
+      return traceOurStreams(compiled_, set, first, end, figure.anyHit);
     });
   }
   if (!embree_) return ways;
@@ -161,11 +161,11 @@ std::vector<TraceTiles> RayRows::waysOf(const Figure& figure, const RaySet& set)
 /// `rates` has one entry for each of waysOf.
 void RayRows::printRates(const Figure& figure, int threads,
                          const std::vector<Samples>& rates) const {
-  const std::size_t best = hasBatch(figure) ? 1 : 0;
+  const std::size_t best = hasStreams() ? 1 : 0;
   const std::string name = std::string(figure.name) + ", " + size_.name + ", " +
                            std::to_string(threads) + (threads == 1 ? " thread" : " threads");
   for (std::size_t way = 0; way <= best; ++way) {
-    const std::string label = name + (way == 1 ? ", batch" : "");
+    const std::string label = name + (way == 1 ? ", stream" : "");
     if (!embree_) {
       printAlone(label, "Mrays/s", rates[way]);
       continue;

@@ -15,7 +15,11 @@ void runBuildRows(const BenchOptions& options);
 void runReadRows(const BenchOptions& options);
 /// Whole runs of the program on a mesh, a mirror floor and a glass ball.
 void runProgramRows(const BenchOptions& options);
-/// Whole runs on the mirror-ball scene.
+/// Whole runs on the mirror-ball scene; seconds tracing of scenes/'s small ones.
 void runTinyRows(const BenchOptions& options);
+/// Whole runs on meshes that defeat a careless tree, against ordinary meshes of their size.
+void runBadMeshRows(const BenchOptions& options);
+/// Writing a large PNG file.
+void runPngRows(const BenchOptions& options);
 
 }  // namespace bench

@@ -1,11 +1,12 @@
-// The mirror-ball scene from start to end, against a process that only writes the picture's file.
-#include <cstdio>
+// Tiny scenes. The mirror-ball scene runs from start to end, against a process that only writes the
+// picture's file; of the project's own scenes the seconds tracing count, on one thread, as their
+// own commands ask for, against another build of the program where there is one.
 #include <fstream>
-#include <stdexcept>
 
 #include "measure.h"
 #include "process.h"
 #include "rows.h"
+#include "scene_runs.h"
 
 namespace bench {
 namespace {
@@ -31,10 +32,18 @@ Group {
 }
 )";
 
-}  // namespace
+struct TinyScene {
+  const char* name;
+  Target target;
+};
+constexpr TinyScene kScenes[] = {
+    {"06_mirror_balls", {0.6, 0.4}},         {"09_glass_balls", {0.6, 0.4}},
+    {"10_rose_window", {0.6, 0.4}},          {"11_nested_transforms", {0.6, 0.4}},
+    {"20_still_life", {0.6, 0.4}},           {"24_marble_wood_noise", {0.6, 0.4}},
+    {"25_textures_in_textures", {0.6, 0.4}}, {"27_wine_glass", {0.5, 0.3}},
+};
 
-void runTinyRows(const BenchOptions& options) {
-  printHeading("A tiny scene, whole runs");
+void runMirrorBalls(const BenchOptions& options) {
   const ScratchFolder folder;
   const std::string scene = folder.file("balls.txt");
   std::ofstream(scene) << kScene;
@@ -46,8 +55,24 @@ void runTinyRows(const BenchOptions& options) {
   const std::vector<Samples> seconds = inTurns(
       20 * options.rounds,
       {[&] { return runProcess(ours).seconds; }, [&] { return runProcess(theirs).seconds; }});
-  printRow("mirror balls, 400 x 400", "ms", seconds[0].scaled(1e3), "write only",
-           seconds[1].scaled(1e3), {15, 6});
+  printRow("mirror balls, 400 x 400, whole", "ms", seconds[0].scaled(1e3), "write only",
+           seconds[1].scaled(1e3), {4, 3});
+}
+
+}  // namespace
+
+void runTinyRows(const BenchOptions& options) {
+  printHeading("Tiny scenes");
+  runMirrorBalls(options);
+  for (const TinyScene& tiny : kScenes) {
+    const ScratchFolder folder;
+    const std::vector<std::string> arguments =
+        ownCommand(tiny.name, folder.file("out.tga"), {"-threads", "1"});
+    const std::vector<Samples> seconds =
+        statsInTurns(options, options.rounds, arguments, "seconds tracing: ");
+    printRow(std::string(tiny.name) + ", tracing", "ms", seconds[0].scaled(1e3), "-against",
+             seconds[1].scaled(1e3), tiny.target);
+  }
 }
 
 }  // namespace bench
