@@ -10,6 +10,7 @@
 #include "accel/bvh_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -25,6 +26,9 @@ namespace {
 /// Leaves that are written in one go, by one thread, before the memory of their items is returned.
 constexpr std::size_t kLeavesPerRun = 2048;
 
+/// A node so much smaller than the frame that it is in begins another.
+constexpr float kFrameStep = 0x1p-12f;
+
 struct LeafRun {
   std::size_t firstItem, firstLeaf, firstWord;
 };
@@ -38,7 +42,7 @@ class WideNodeBuilder {
     bvh_.nodeCount = 1;
     bvh_.leafWords = 1;  // offset 0 means no leaf
     sizes_.reserve(tree.leafCount());
-    collapse(0, BinaryTree::kRoot, 1);
+    collapse(0, BinaryTree::kRoot, {1, 0, longestSide(BinaryTree::kRoot)});
     bvh_.nodes.shrink(bvh_.nodeCount * sizeof(WideNode));
     runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
   }
@@ -54,6 +58,13 @@ class WideNodeBuilder {
     int count = 0;
   };
 
+  /// Where a wide node is: its level from the root's 1 on, how many frames it is in, and the
+  /// longest side of the innermost, or of the whole tree.
+  struct Place {
+    int level, frames;
+    float frameSize;
+  };
+
   /// Adds what becomes of `index` in `slots` slots of a wide node; eight slots open any node that
   /// is no leaf.
   void open(std::uint32_t index, int slots, Children& children) const {
@@ -67,9 +78,10 @@ class WideNodeBuilder {
     open(node.children + 1, slots - first, children);
   }
 
-  /// Makes wide node `number`, on level `level` from the root's 1 on, of binary node `index`. Recursion is as deep as the wide tree.
-  void collapse(std::uint32_t number, std::uint32_t index, int level) {
-    bvh_.levels = std::max(bvh_.levels, level);
+  /// Makes wide node `number` of binary node `index`. Recursion is as deep as the wide tree.
+  void collapse(std::uint32_t number, std::uint32_t index, const Place& place) {
+    bvh_.levels = std::max(bvh_.levels, place.level);
+    bvh_.frameLevels = std::max(bvh_.frameLevels, place.frames);
     Children children;
     open(index, kWidth, children);
     WideNode& target = static_cast<WideNode*>(bvh_.nodes.data())[number];
@@ -82,7 +94,13 @@ class WideNodeBuilder {
       if (isLeaf(children.nodes[i])) {
         target.child[i] = placeLeaf(children.nodes[i]);
       } else {
-        collapse(target.child[i], children.nodes[i], level + 1);
+        Place inside = {place.level + 1, place.frames, place.frameSize};
+        const std::uint32_t node = target.child[i];
+        if (beginsFrame(children.nodes[i], place.frameSize)) {
+          target.child[i] |= kFrameBit;
+          inside = {place.level + 2, place.frames + 1, longestSide(children.nodes[i])};
+        }
+        collapse(node, children.nodes[i], inside);
       }
     }
   }
@@ -98,6 +116,18 @@ class WideNodeBuilder {
       }
       target.child[i] = 0;
     }
+  }
+
+  float longestSide(std::uint32_t index) const {
+    const BinaryNode& node = tree_.node(index);
+    return std::max(
+        {node.high[0] - node.low[0], node.high[1] - node.low[1], node.high[2] - node.low[2]});
+  }
+  /// Only leaves of a mesh hold exact numbers, which can be seen from nearby.
+  bool beginsFrame(std::uint32_t index, float around) const {
+    const float size = longestSide(index);
+    return items_[0].kind == LeafKind::meshTriangles && size < around * kFrameStep &&
+           size > TreeFrame::kLeast;
   }
 
   bool isLeaf(std::uint32_t index) const { return CollapsePlan::isLeaf(tree_.node(index).plan); }
@@ -123,6 +153,19 @@ class WideNodeBuilder {
 
 }  // namespace
 
+TreeFrame TreeFrame::of(const WideNode& node) {
+  TreeFrame frame;
+  double longest = kLeast;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float *low = node.planes[2 * axis], *high = node.planes[2 * axis + 1];
+    frame.low[axis] = *std::min_element(low, low + kWidth);
+    frame.high[axis] = *std::max_element(high, high + kWidth);
+    longest = std::max(longest, frame.high[axis] - frame.low[axis]);
+  }
+  frame.size = std::min(std::ldexp(1.0, std::ilogb(longest)), 1.0);
+  return frame;
+}
+
 std::uint32_t leafHead(float edge, LeafKind kind, int count) {
   // Not so small that its square could underflow: infinity times it must not be NaN.
   const float bound = std::max(edge, 0x1p-40f);
@@ -138,10 +181,8 @@ void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Thre
   std::vector<LeafRun> runs;
   {
     const BinaryTree tree(items.data(), items.count(), pool);
-    const BinaryNode& root = tree.node(BinaryTree::kRoot);
-    std::copy(root.low, root.low + 3, bvh.low);
-    std::copy(root.high, root.high + 3, bvh.high);
     const WideNodeBuilder builder(tree, items.data(), bvh);
+    bvh.whole = TreeFrame::of(*bvh.root());
     sizes = builder.sizes();
     runs = builder.runs();
   }

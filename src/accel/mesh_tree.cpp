@@ -168,8 +168,9 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
 }
 
 BoundingBox MeshTree::box() const {
-  return {Vec3d(bvh_.low[0], bvh_.low[1], bvh_.low[2]) / bvh_.scale,
-          Vec3d(bvh_.high[0], bvh_.high[1], bvh_.high[2]) / bvh_.scale};
+  const double *low = bvh_.whole.low, *high = bvh_.whole.high;
+  return {Vec3d(low[0], low[1], low[2]) / bvh_.scale,
+          Vec3d(high[0], high[1], high[2]) / bvh_.scale};
 }
 
 MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {

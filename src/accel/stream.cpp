@@ -31,6 +31,7 @@ Stream::Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, 
       rays(&table),
       list(rows),
       count(0),
+      outsideEnd(0),
       candidateCount(0),
       nodesVisited(0),
       primitivesTested(0),
@@ -41,13 +42,28 @@ Stream::Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, 
   boxRays = arena.take<BoxRay>(most);
   primitiveRays = arena.take<PrimitiveRay>(most);
   maps = arena.take<ParameterMap>(most);
-  // A visited node leaves at most seven entries behind, besides the one that is visited next; each
-  // of its boxes may have a list of its own, at most as long as that of the node.
+  // A visited node, or frame, leaves at most seven entries behind, besides the one that is visited
+  // next; each of its boxes may have a list of its own, at most as long as that of the node.
   const auto levels = std::size_t(tree.levels);
   stack = arena.take<StreamEntry>(levels * (kWidth - 1) + 2);
   pool = arena.take<std::uint16_t>((levels * kWidth + 1) * most + 16);
   masks = arena.take<std::uint8_t>(most + 16);
+  outside = arena.take<OutsideRay>(std::size_t(tree.frameLevels) * most);
   candidates = arena.take<Candidate>(kMostCandidates);
+}
+
+void Stream::leaveFrame(const std::uint16_t* inside, int size) {
+  outsideEnd -= size;
+  for (int k = 0; k < size; ++k) {
+    const OutsideRay& before = outside[outsideEnd + k];
+    const int ray = inside[k];
+    const bool ended = hasEnded(ray);
+    boxRays[ray] = before.box;
+    primitiveRays[ray] = before.primitive;
+    maps[ray] = before.map;
+    lowerBound(ray, rays->tmax[rowOf(ray)]);
+    if (ended) end(ray);
+  }
 }
 
 void Stream::lowerBound(int ray, double t) {

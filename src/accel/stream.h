@@ -18,6 +18,11 @@
 // and its direction scaled so that the largest component is 1 to 2: t' = t * scale - shift, and
 // t' >= 0 for everything in the tree.
 //
+// Bounds are local. A node that is much smaller than what rays were prepared for begins a frame:
+// its rays are put aside and prepared again for its box, from where they enter it, and come back as
+// they were when all below it is done. So what is large or far away costs what is small nothing but
+// that. t' has another shift within, so candidates are decided at both ends of a frame.
+//
 // Error bounds, e = 2^-24, R = reach (the largest component of any vertex relative to the origin),
 // D = the largest component of the direction, E = the largest component of an edge of the leaf:
 //   an edge function           64 e R D E   (sum of three products of a cross product)
@@ -25,7 +30,7 @@
 //   the distance's numerator   80 e E E R
 // from the standard model of rounding, every operation with a relative error of e (Higham,
 // "Accuracy and Stability of Numerical Algorithms", 2002). They hold while E >= 2^-26 R; smaller
-// triangles are all left open (a leaf's E is at least 2^-40, so that no product underflows), and so
+// triangles are all left open (E and R are at least 2^-40, so that no product vanishes), and so
 // is everything for a ray that starts more than 2^56 sizes of the tree away.
 //
 // The surface that a ray leaves lies at t = 0 give or take rounding, so it is never proven to be
@@ -83,9 +88,18 @@ struct Candidate {
   bool isProven;       ///< it is surely hit, between tmin and what tmax was
 };
 
-/// A node, or a leaf, that rays are to visit.
+/// A ray as it was outside of a frame.
+struct OutsideRay {
+  BoxRay box;
+  PrimitiveRay primitive;
+  ParameterMap map;
+};
+
+/// A node or a leaf that rays are to visit, or a frame that they leave.
 struct StreamEntry {
-  std::uint32_t child;  ///< as in WideNode
+  static constexpr std::uint32_t kFrameEnd = kLeafBit - 1;
+
+  std::uint32_t child;  ///< as in WideNode, or kFrameEnd
   std::uint32_t first;  ///< its list begins here in the pool
   std::uint32_t end;    ///< of the pool's part in use while it is visited
   std::uint32_t count;  ///< of rays
@@ -113,6 +127,8 @@ struct Stream {
   StreamEntry* stack;
   std::uint16_t* pool;  ///< the lists of all entries
   std::uint8_t* masks;  ///< which boxes of a node each ray of a list meets
+  OutsideRay* outside;  ///< those of all frames that have been entered, up to `outsideEnd`
+  int outsideEnd;
 
   // What it finds.
   Candidate* candidates;
@@ -137,6 +153,9 @@ struct Stream {
     askObject = Question::askObject;
     context = &question;
   }
+
+  /// Brings back the listed rays, the last that were put aside, with the bounds they now have.
+  void leaveFrame(const std::uint16_t* inside, int size);
 
   int rowOf(int ray) const { return int(boxRays[ray].row); }
   /// Lowers the bounds of a ray to t, where they are higher.

@@ -14,12 +14,15 @@ constexpr int kWidth = 8;
 
 /// Eight boxes and what is in them. An empty slot has an inverted box, which no ray meets.
 struct alignas(64) WideNode {
-  float planes[6][kWidth];      ///< low x, high x, low y, high y, low z, high z
-  std::uint32_t child[kWidth];  ///< a node's number, or kLeafBit and the offset of a leaf's words
+  float planes[6][kWidth];  ///< low x, high x, low y, high y, low z, high z
+  /// A node's number, perhaps with kFrameBit; or kLeafBit and the offset of a leaf's words.
+  std::uint32_t child[kWidth];
 };
 static_assert(sizeof(WideNode) == 256, "four cache lines");
 
 constexpr std::uint32_t kLeafBit = 0x80000000u;
+/// Set besides a node's number: it is so small that rays are prepared again for it; see stream.h.
+constexpr std::uint32_t kFrameBit = 0x40000000u;
 
 /// What a leaf holds. A leaf is a run of 32-bit words:
 ///   head, then rows of n numbers each, then a row of n primitive numbers.
@@ -44,14 +47,27 @@ constexpr std::uint32_t wordsOf(LeafKind kind, int count) {
 constexpr LeafKind kindOf(std::uint32_t head) { return LeafKind(head >> 4 & 3); }
 constexpr int countOf(std::uint32_t head) { return int(head & 15); }
 
+/// What rays are prepared for: all of a tree, or a node with kFrameBit and what is below it.
+struct TreeFrame {
+  /// Edges of faces in smaller ones would be below what floats can multiply: see leafHead.
+  static constexpr float kLeast = 0x1p-40f;
+
+  double low[3], high[3];  ///< the box, normalised
+  double size;             ///< a power of two, kLeast to 1: the unit of what is small or far
+
+  /// The frame that a node begins.
+  static TreeFrame of(const WideNode& node);
+};
+
 struct WideBvh {
   PageBuffer nodes;   ///< WideNodes; the first is the root. Empty where there is nothing to hit.
   PageBuffer leaves;  ///< words, with room behind them for a load of eight to run over
   std::size_t nodeCount = 0, leafWords = 0;
-  int levels = 0;  ///< of nodes
+  int levels = 0;       ///< of nodes and frames
+  int frameLevels = 0;  ///< of frames that are in one another
   double anchor[3] = {0, 0, 0};
   double scale = 1;
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< the box of everything, normalised
+  TreeFrame whole = {};  ///< around everything
   /// Hits are off as those of objects under no Transform would be that were seen from
   /// far * errorFactor + fixedError away, far being how far off the ray's origin is; see
   /// TransformError.

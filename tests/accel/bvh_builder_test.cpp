@@ -66,17 +66,18 @@ struct Inspection {
   const std::vector<BuildItem>& items;
   std::vector<int> seen;
   std::size_t outside = 0, mixed = 0, nodes = 0;
-  int depth = 0;
+  int depth = 0, frames = 0, frameDepth = 0;  // a frame is a level of its own
 
   Inspection(const WideBvh& tree, const std::vector<BuildItem>& list)
       : bvh(tree), items(list), seen(list.size()) {
-    if (!bvh.isEmpty()) visit(0, 1, bvh.low, bvh.high);
+    if (!bvh.isEmpty()) visit(0, 1, 0, bvh.whole.low, bvh.whole.high);
   }
 
-  void visit(std::uint32_t index, int level, const double* low, const double* high) {
+  void visit(std::uint32_t index, int level, int inFrames, const double* low, const double* high) {
     const WideNode& node = bvh.root()[index];
     ++nodes;
     depth = std::max(depth, level);
+    frameDepth = std::max(frameDepth, inFrames);
     for (int slot = 0; slot < accel::kWidth; ++slot) {
       if (!(node.planes[0][slot] <= node.planes[1][slot])) continue;  // empty
       double childLow[3], childHigh[3];
@@ -89,7 +90,9 @@ struct Inspection {
       if ((child & accel::kLeafBit) != 0) {
         visitLeaf(bvh.words() + (child & ~accel::kLeafBit), childLow, childHigh);
       } else {
-        visit(child, level + 1, childLow, childHigh);
+        const int frame = (child & accel::kFrameBit) != 0 ? 1 : 0;
+        frames += frame;
+        visit(child & ~accel::kFrameBit, level + 1 + frame, inFrames + frame, childLow, childHigh);
       }
     }
   }
@@ -122,6 +125,7 @@ Inspection checkTree(const char* name, const std::vector<BuildItem>& items, cons
   CHECK_EQUAL(where + ": mixed " + check::show(found.mixed), where + ": mixed 0");
   CHECK_EQUAL(found.nodes, bvh.nodeCount);
   CHECK_EQUAL(found.depth, bvh.levels);  // from which follows how long a stream's stack is
+  CHECK_EQUAL(found.frameDepth, bvh.frameLevels);
   return found;
 }
 
@@ -220,6 +224,24 @@ TEST("sizes over all that floats hold, nested boxes and flat ones build to a bou
     CHECK(secondsOf([&] { bvh = treeOf(items, 2); }) < 10 * kPatience);
     checkTree(names[i], items, bvh);
   }
+}
+
+TEST("nodes of a mesh that are 4096 times smaller than what is around them begin frames") {
+  // Three nests of 64 triangles, each 2^-14 of the size of the one around it.
+  for (const LeafKind kind : {LeafKind::meshTriangles, LeafKind::spheres}) {
+    Random random(8);
+    std::vector<BuildItem> items;
+    for (std::size_t i = 0; i < 192; ++i) {
+      const double size = std::ldexp(1.0, -14 * int(i / 64));
+      const Vec3d center = random.inCube(-1, 1) * size;
+      items.push_back(itemAt(center, size * 0.01, i, kind));
+    }
+    const Inspection found = checkTree("nests", items, treeOf(items, 1));
+    CHECK_EQUAL(found.frames, kind == LeafKind::meshTriangles ? 2 : 0);
+    CHECK_EQUAL(found.frameDepth, found.frames);
+  }
+  const std::vector<BuildItem> usual = randomItems(20000, 9);
+  CHECK_EQUAL(checkTree("usual", usual, treeOf(usual, 1)).frames, 0);
 }
 
 TEST("the tree is the same, byte for byte, for 1, 2 and 5 threads") {
