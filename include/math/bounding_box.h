@@ -30,6 +30,10 @@ class BoundingBox {
     low_ = least(low_, other.low_);
     high_ = largest(high_, other.high_);
   }
+  /// True where all of `other` lies within, its sides too; false where a coordinate of it is NaN.
+  bool contains(const BoundingBox& other) const {
+    return least(other.low_, low_) == low_ && largest(other.high_, high_) == high_;
+  }
   /// The longest side; 0 for an empty box.
   double longestSide() const {
     const Vec3d size = high_ - low_;

@@ -1,6 +1,6 @@
 // SolidObjects: the transparent objects of a scene that enclose a volume, and how large they are.
 #pragma once
-#include <vector>
+#include <unordered_map>
 
 #include "geometry/mesh_geometry.h"
 #include "geometry/object3d.h"
@@ -13,7 +13,7 @@ class SolidObjects {
 
   /// The volume of an object in the world, at least 0 (it may overflow to infinity); infinity of
   /// what is not listed, null included. It is the same from wherever one looks, and what lies all
-  /// inside another has the smaller one. Time grows with the logarithm of the number of solids.
+  /// inside another has the smaller one.
   double volumeOf(const Object3D* object) const;
   /// The world box of all of them, in world units; empty where there are none.
   const BoundingBox& box() const { return box_; }
@@ -22,14 +22,9 @@ class SolidObjects {
   bool areBeyond(const Vec3d& point, double distance) const;
 
  private:
-  struct Solid {
-    const Object3D* object;
-    double volume;
-  };
-
   void add(const Object3D& object, const Matrix& toWorld);
 
-  std::vector<Solid> solids_;  // by address
+  std::unordered_map<const Object3D*, double> volumes_;  // only looked up, never walked through
   BoundingBox box_;
 };
 

@@ -16,12 +16,13 @@ class WordList {
 
   const std::string_view* begin() const { return first_; }
   const std::string_view* end() const { return first_ + size_; }
-  bool contains(std::string_view word) const;
 
  private:
   const std::string_view* first_;
   std::size_t size_;
 };
+
+bool isOneOf(std::string_view word, WordList words);
 
 /// `word` in quotes, at most `limit` bytes of it, with bytes that do not print escaped as \xHH.
 std::string quoted(std::string_view word, std::size_t limit = 40);

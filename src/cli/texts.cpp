@@ -153,9 +153,7 @@ std::string offers(const ArgumentRow& row) {
   std::istringstream words(row.words);
   for (std::string word; words >> word; choices.clear()) {
     const bool mayRepeat = word.find("...") != std::string::npos;
-    const std::string offer = !choices.empty()                      ? choices
-                              : WordList(kFileWords).contains(word) ? "file"
-                                                                    : "-";
+    const std::string offer = !choices.empty() ? choices : isOneOf(word, kFileWords) ? "file" : "-";
     text += (text.empty() ? "" : " ") + offer + (mayRepeat ? "..." : word[0] == '[' ? "?" : "");
   }
   return text;

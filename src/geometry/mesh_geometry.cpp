@@ -58,12 +58,6 @@ BoundingBox moved(const BoundingBox& box, const Matrix& matrix) {
   return {low, high};
 }
 
-/// False where a coordinate of `inner` is NaN.
-bool contains(const BoundingBox& outer, const BoundingBox& inner) {
-  return least(inner.low(), outer.low()) == outer.low() &&
-         largest(inner.high(), outer.high()) == outer.high();
-}
-
 }  // namespace
 
 MeshGeometry::MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces)
@@ -134,7 +128,7 @@ std::uint32_t MeshGeometry::countFlatFaces() const {
 void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
   for (const Vec3f& corner : extremes_) box.extend(toWorld.transformPoint(Vec3d(corner)));
   for (std::size_t run = 0; run < runs_.size(); ++run) {
-    if (contains(box, moved({runs_[run].low, runs_[run].high}, toWorld))) continue;
+    if (box.contains(moved({runs_[run].low, runs_[run].high}, toWorld))) continue;
     visitCorners(run,
                  [&](const Vec3f& corner) { box.extend(toWorld.transformPoint(Vec3d(corner))); });
   }

@@ -15,31 +15,17 @@ namespace {
 
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// The names of all fields.
-std::vector<std::string_view> namesOf(FieldLists lists) {
-  std::vector<std::string_view> names;
-  for (Fields* fields : lists) {
-    for (const Value& value : *fields) names.push_back(value.field->name);
-  }
-  return names;
-}
-
-/// The value of the field that `word` names; null where there is none.
-Value* findValue(std::string_view word, FieldLists lists) {
-  for (Fields* fields : lists) {
-    for (Value& value : *fields) {
-      if (isWord(word, value.field->name)) return &value;
-    }
-  }
-  return nullptr;
-}
-
 /// True for MaterialIndex where a field is called materialIndex.
-bool isCapitalised(std::string_view word, FieldLists lists) {
-  const std::vector<std::string_view> names = namesOf(lists);
-  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+bool isCapitalised(std::string_view word, const Fields& fields) {
+  return std::any_of(fields.begin(), fields.end(), [&](const Value& value) {
+    const std::string_view name = value.field->name;
     return word.substr(1) == name.substr(1) && word[0] == name[0] - 'a' + 'A';
   });
+}
+
+/// How many numbers such a value has.
+std::size_t countOf(ValueKind kind) {
+  return kind == ValueKind::vector || kind == ValueKind::color ? 3 : 1;
 }
 
 /// Brings the largest component into [1/2, 1) by a power of two: the direction stays exactly the
@@ -62,19 +48,32 @@ bool isWord(std::string_view word, std::string_view name) {
   return word == olderForm;
 }
 
-Fields::Fields(std::string_view block) {
-  const Field* row = std::begin(kFields);
-  while (row->block != block) ++row;
-  for (; row != std::end(kFields) && row->block == block; ++row) {
-    values_[count_].field = row;
-    values_[count_++].numbers = row->defaults;
+Fields::Fields(std::initializer_list<std::string_view> blocks) {
+  for (const std::string_view block : blocks) {
+    const Field* row = std::begin(kFields);
+    while (row->block != block) ++row;
+    for (; row != std::end(kFields) && row->block == block; ++row) {
+      values_.at(count_++) = {row, row->defaults, nullptr};
+    }
   }
 }
 
 const Value& Fields::operator[](std::string_view name) const {
-  const Value* value = values_.data();
+  const Value* value = begin();
   while (value->field->name != name) ++value;
   return *value;
+}
+
+Value* Fields::find(std::string_view word, Value* next) {
+  if (next != end() && next->field->name == word) return next;
+  return std::find_if(begin(), end(),
+                      [&](const Value& value) { return isWord(word, value.field->name); });
+}
+
+std::vector<std::string_view> Fields::names() const {
+  std::vector<std::string_view> names;
+  for (const Value& value : *this) names.push_back(value.field->name);
+  return names;
 }
 
 // Values.
@@ -138,44 +137,39 @@ bool FieldReader::readChoice(std::string_view what, WordList choices, std::size_
   return false;
 }
 
-bool FieldReader::readFileName(std::string_view what, std::string_view& name) {
-  if (atEnd() || word_ == "{" || word_ == "}") {
-    reportExpected("a file name for " + std::string(what));
-    return false;
-  }
-  name = word_;
-  advance();
-  return true;
+bool FieldReader::readFileName(std::string_view what) {
+  const bool isGood = !atEnd() && !isAt('{') && !isAt('}');
+  isGood ? advance() : reportExpected("a file name for " + std::string(what));
+  return isGood;
 }
 
 // Fields.
 
-bool FieldReader::readFields(std::string_view owner, FieldLists lists, const OwnReader& readOwn) {
+bool FieldReader::readFields(std::string_view owner, Fields& fields, const OwnReader& readOwn) {
   const std::size_t mistakesBefore = mistakeCount_;
   const char* const start = at();
   if (!openBlock(owner)) return false;
-  while (word_ != "}") {
-    if (Value* const value = findValue(word_, lists)) {
+  for (Value* next = fields.begin(); !isAt('}');) {
+    if (Value* const value = fields.find(word_, next); value != fields.end()) {
       readField(*value, readOwn);
-    } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, lists))) {
+      next = value + 1;
+    } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, fields))) {
       closeBlock(owner);
       return false;
     } else {
-      skipUnknown(owner, namesOf(lists));
+      skipUnknown(owner, fields.names());
     }
   }
   advance();
-  if (mistakeCount_ == mistakesBefore) reportMissing(owner, start, lists);
+  if (mistakeCount_ == mistakesBefore) reportMissing(owner, start, fields);
   return mistakeCount_ == mistakesBefore;
 }
 
-void FieldReader::reportMissing(std::string_view owner, const char* start, FieldLists lists) {
-  for (Fields* fields : lists) {
-    for (const Value& value : *fields) {
-      if (value.field->isOptional || value.at) continue;
-      report(start, "expected " + std::string(value.field->name) + " in " + std::string(owner) +
-                        ", found none before its '}'");
-    }
+void FieldReader::reportMissing(std::string_view owner, const char* start, const Fields& fields) {
+  for (const Value& value : fields) {
+    if (value.field->isOptional || value.at) continue;
+    report(start, "expected " + std::string(value.field->name) + " in " + std::string(owner) +
+                      ", found none before its '}'");
   }
 }
 
@@ -184,7 +178,7 @@ void FieldReader::readField(Value& value, const OwnReader& readOwn) {
   const ValueKind kind = value.field->kind;
   const char* start = tokenizer_.place() + 1;
   const bool isPlain = (kind == ValueKind::number || kind == ValueKind::vector) &&
-                       readPlainNumbers(value.numbers.data(), kind == ValueKind::number ? 1 : 3);
+                       readPlainNumbers(value.numbers.data(), countOf(kind));
   if (!isPlain) {
     advance();
     start = at();
@@ -195,41 +189,34 @@ void FieldReader::readField(Value& value, const OwnReader& readOwn) {
 
 bool FieldReader::readValue(Value& value, const OwnReader& readOwn) {
   const std::string_view name = value.field->name;
-  double* const numbers = value.numbers.data();
-  switch (value.field->kind) {
-    case ValueKind::number:
-      return readNumbers(name, numbers, 1, false);
-    case ValueKind::single:
-      return readNumbers(name, numbers, 1, true);
-    case ValueKind::vector:
-      return readNumbers(name, numbers, 3, false);
-    case ValueKind::color:
-      return readNumbers(name, numbers, 3, true);
-    case ValueKind::fileName:
-      return readFileName(name, value.name);
-    case ValueKind::ownReader:
-      return readOwn(name);
-    case ValueKind::whole:
-      break;
+  const ValueKind kind = value.field->kind;
+  if (kind == ValueKind::ownReader) return readOwn(name);
+  if (kind == ValueKind::fileName) return readFileName(name);
+  if (kind != ValueKind::whole) {
+    const bool areSingle = kind == ValueKind::single || kind == ValueKind::color;
+    return readNumbers(name, value.numbers.data(), countOf(kind), areSingle);
   }
   int whole = value.whole();
   const bool isGood = readWholeNumber(name, whole);
-  *numbers = whole;
+  value.numbers[0] = whole;
   return isGood;
 }
 
 // Ranges.
 
-bool FieldReader::checkRanges(Fields& fields) {
+bool FieldReader::checkRanges(std::string_view block, Fields& fields) {
   bool isGood = true;
-  for (Value& value : fields) isGood &= checkRange(value);
+  for (Value& value : fields) {
+    const bool isLimited = value.field->range != Range::any;
+    if (isLimited && value.field->block == block) isGood &= checkRange(value);
+  }
   return isGood;
 }
 
 /// A field without a good value passes: that mistake is reported already.
 bool FieldReader::checkRange(Value& value) {
   if (!value.at) return true;
-  const std::string name(value.field->name);
+  const std::string_view name = value.field->name;
   const double number = value.numbers[0];
   std::string expected;
   switch (value.field->range) {
@@ -244,19 +231,19 @@ bool FieldReader::checkRange(Value& value) {
       return checkReflectance(value);
     case Range::direction:
       if (value.vector() == Vec3d()) {
-        report(value.at, "expected a " + name + " that is not zero, found 0 0 0");
+        report(value.at, "expected a " + std::string(name) + " that is not zero, found 0 0 0");
         return false;
       }
       rescale(value);
       break;
     case Range::atLeastZero:
-      if (number < 0) expected = name + " of at least 0";
+      if (number < 0) expected = std::string(name) + " of at least 0";
       break;
     case Range::angle:
       if (number >= 180) expected = "an angle below 180 degrees";
       [[fallthrough]];
     case Range::aboveZero:
-      if (number <= 0) expected = name + " above 0";
+      if (number <= 0) expected = std::string(name) + " above 0";
   }
   if (!expected.empty()) reportFound(value.at, expected);
   return expected.empty();
@@ -283,15 +270,15 @@ void FieldReader::readCounted(const CountedBlock& block, const std::function<voi
   const std::string owner(block.owner);
   const std::string says =
       std::string(block.countName) + " says " + std::to_string(expected) + ", but " + owner;
-  while (word_ != "}") {
-    if (block.items.contains(word_)) {
+  while (!isAt('}')) {
+    if (isOneOf(word_, block.items)) {
       if (isSure && found == expected) {
         report(at(), says + " goes on: expected '}', found " + quoted(word_));
         isSure = false;
       }
       readItem();
       ++found;
-    } else if (atEnd() || WordList(kSectionWords).contains(word_)) {
+    } else if (atEnd() || isOneOf(word_, kSectionWords)) {
       return closeBlock(block.owner);
     } else if (!readOther || !readOther()) {
       found += skipUnknown(block.owner, block.allowed);

@@ -21,7 +21,8 @@
 #include "scene/wording.h"
 
 /// The value of a field, at first its default. What it is follows from the field's kind: the caller
-/// asks for that. Floats and whole numbers are kept as doubles, which hold each of them exactly.
+/// asks for that. Floats and whole numbers are kept as doubles, which hold each of them exactly;
+/// the name of a file is the word that stands where the value does.
 struct Value {
   double number() const { return numbers[0]; }
   float single() const { return float(numbers[0]); }
@@ -29,31 +30,34 @@ struct Value {
   Vec3d vector() const { return {numbers[0], numbers[1], numbers[2]}; }
   Vec3f color() const { return Vec3f(vector()); }
 
-  const Field* field = nullptr;
-  std::array<double, 3> numbers{};
-  std::string_view name{};   ///< of a file, a view of the text
-  const char* at = nullptr;  ///< where it stands; null unless a good one was given
+  const Field* field;
+  std::array<double, 3> numbers;
+  const char* at;  ///< where it stands; null unless a good one was given
 };
 
-/// The values of one block's fields.
+/// The values of one block's fields: its own and those that it shares with others.
 class Fields {
  public:
-  /// The defaults of the fields that kFields lists for `block`, which are one or more.
-  explicit Fields(std::string_view block);
+  /// The defaults of all fields that kFields lists for these, each of which has one or more. In
+  /// this order messages list them.
+  Fields(std::initializer_list<std::string_view> blocks);
 
   /// The value of that name, which must be one of the block's.
   const Value& operator[](std::string_view name) const;
+  /// The value that `word` names, be it in the older form; end() where there is none. `next` is
+  /// looked at first: the one behind the last that was found, as most blocks are in this order.
+  Value* find(std::string_view word, Value* next);
+  std::vector<std::string_view> names() const;
 
   Value* begin() { return values_.data(); }
   Value* end() { return values_.data() + count_; }
+  const Value* begin() const { return values_.data(); }
+  const Value* end() const { return values_.data() + count_; }
 
  private:
-  std::array<Value, kMostFields> values_;
+  std::array<Value, kMostFields> values_;  // without a value behind the count
   std::size_t count_ = 0;
 };
-/// What a block is read into: its own fields and those that it shares with others, in the order in
-/// which messages list them. Not owned.
-using FieldLists = std::initializer_list<Fields*>;
 
 /// A block that begins with the count of what it holds.
 struct CountedBlock {
@@ -78,6 +82,8 @@ class FieldReader {
   /// Where it stands; at the end of the input, where the last word ends.
   const char* at() const { return word_.empty() ? lastEnd_ : word_.data(); }
   bool atEnd() const { return word_.empty(); }
+  /// True where the current word is this brace.
+  bool isAt(char brace) const { return !word_.empty() && word_[0] == brace; }
   /// True where the current word begins a block or a setting, so that it belongs to no other one.
   bool isAtBlock() const;
   void advance();
@@ -92,8 +98,9 @@ class FieldReader {
   void reportExpected(const std::string& expected);
   /// Reports "expected X, found the word that begins at `at`".
   void reportFound(const char* at, const std::string& expected);
-  /// The word that begins at `at`, in quotes, for messages.
-  std::string quotedAt(const char* at) const;
+  /// The word that begins at `at`; and in quotes, for messages.
+  std::string_view wordAt(const char* at) const;
+  std::string quotedAt(const char* at) const { return quoted(wordAt(at)); }
   /// While quiet, mistakes are counted but not reported.
   void setQuiet(bool isQuiet) { isQuiet_ = isQuiet; }
   std::size_t mistakeCount() const { return mistakeCount_; }
@@ -123,9 +130,10 @@ class FieldReader {
 
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.
   /// A required field that is missing is a mistake too.
-  bool readFields(std::string_view owner, FieldLists lists, const OwnReader& readOwn = {});
-  /// Looks at the ranges of the values that were given, in the table's order.
-  bool checkRanges(Fields& fields);
+  bool readFields(std::string_view owner, Fields& fields, const OwnReader& readOwn = {});
+  /// Looks at the ranges of the values that were given of the fields that the table lists for
+  /// `block`, in its order.
+  bool checkRanges(std::string_view block, Fields& fields);
   /// The colours with a component above 1 that checkRanges has seen: their places and names.
   const std::vector<Note>& brightColors() const { return brightColors_; }
 
@@ -141,10 +149,10 @@ class FieldReader {
   void skipBlock();
   void reportBadNumber(std::string_view what, const std::string& kind);
   bool readNumber(double& value, bool isSingle);
-  bool readFileName(std::string_view what, std::string_view& name);
+  bool readFileName(std::string_view what);
   void readField(Value& value, const OwnReader& readOwn);
   bool readValue(Value& value, const OwnReader& readOwn);
-  void reportMissing(std::string_view owner, const char* start, FieldLists lists);
+  void reportMissing(std::string_view owner, const char* start, const Fields& fields);
   bool checkRange(Value& value);
   bool checkReflectance(const Value& value);
   bool readCount(const CountedBlock& block, int& count);

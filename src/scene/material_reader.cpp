@@ -69,46 +69,47 @@ const Material* MaterialReader::materialFor(std::string_view owner, const char* 
 std::unique_ptr<Material> MaterialReader::read() {
   const std::string_view owner = in_.word();
   in_.advance();
-  if (kTextureWords.contains(owner)) return readTexture(owner);
+  if (isOneOf(owner, kTextureWords)) return readTexture(owner);
   const bool isPhong =
       owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";
-  Fields own(isPhong ? "PhongMaterial" : owner), common("every material");
+  const std::string_view kind = isPhong ? "PhongMaterial" : owner;
+  Fields fields = {kind, "every material"};
   std::size_t distribution = 0;
-  in_.readFields(owner, {&own, &common}, [&](std::string_view name) {
+  in_.readFields(owner, fields, [&](std::string_view name) {
     return in_.readChoice(name, kDistributionWords, distribution);
   });
-  in_.checkRanges(common);
-  in_.checkRanges(own);
-  std::unique_ptr<Material> material = make(owner, own, common, distribution);
-  material->setPriority(common["priority"].whole());
+  in_.checkRanges("every material", fields);
+  in_.checkRanges(kind, fields);
+  std::unique_ptr<Material> material = make(owner, fields, distribution);
+  material->setPriority(fields["priority"].whole());
   return material;
 }
 
-std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fields& own,
-                                               const Fields& common, std::size_t distribution) {
-  const Vec3f diffuse = common["diffuseColor"].color();
-  const Vec3f transparent = common["transparentColor"].color();
-  const Vec3f reflective = common["reflectiveColor"].color();
-  const float index = common["indexOfRefraction"].single();
+std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fields& fields,
+                                               std::size_t distribution) {
+  const Vec3f diffuse = fields["diffuseColor"].color();
+  const Vec3f transparent = fields["transparentColor"].color();
+  const Vec3f reflective = fields["reflectiveColor"].color();
+  const float index = fields["indexOfRefraction"].single();
   if (owner == "OrenNayarMaterial") {
-    return std::make_unique<OrenNayarMaterial>(diffuse, own["roughness"].single(), transparent,
+    return std::make_unique<OrenNayarMaterial>(diffuse, fields["roughness"].single(), transparent,
                                                reflective, index);
   }
-  const Vec3f specular = own["specularColor"].color();
+  const Vec3f specular = fields["specularColor"].color();
   if (owner == "WardMaterial") {
-    const WardMaterial::Grain grain = {own["roughnessX"].single(), own["roughnessY"].single(),
-                                       own["tangent"].vector()};
+    const WardMaterial::Grain grain = {fields["roughnessX"].single(), fields["roughnessY"].single(),
+                                       fields["tangent"].vector()};
     return std::make_unique<WardMaterial>(diffuse, specular, grain, transparent, reflective, index);
   }
   if (owner == "CookTorranceMaterial") {
     using Distribution = CookTorranceMaterial::Distribution;
     return std::make_unique<CookTorranceMaterial>(
-        diffuse, fresnelOf(own), own["roughness"].single(),
+        diffuse, fresnelOf(fields), fields["roughness"].single(),
         distribution == 0 ? Distribution::ggx : Distribution::beckmann, transparent, reflective,
         index);
   }
-  const float exponent = own["exponent"].single();
-  const char* const exponentAt = own["exponent"].at;
+  const float exponent = fields["exponent"].single();
+  const char* const exponentAt = fields["exponent"].at;
   if (exponentAt && exponent < 1 && anyPositive(specular)) {
     notes_.lowExponents.emplace_back(exponentAt, in_.quotedAt(exponentAt));
   }
@@ -121,8 +122,8 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
 }
 
 /// What a CookTorranceMaterial mirrors is given by one of two fields.
-Fresnel MaterialReader::fresnelOf(const Fields& own) {
-  const Value &index = own["index"], &color = own["specularColor"];
+Fresnel MaterialReader::fresnelOf(const Fields& fields) {
+  const Value &index = fields["index"], &color = fields["specularColor"];
   if (index.at && color.at) {
     in_.report(std::max(index.at, color.at),
                "expected index or specularColor in CookTorranceMaterial, found both");
@@ -151,9 +152,10 @@ std::unique_ptr<Material> plainMaterial() {
 std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
   const char* const start = in_.at();
   const bool isWave = owner == "Marble" || owner == "Wood";
-  Fields common("every texture"), own(isWave ? "every wave" : owner);
+  const std::string_view kind = isWave ? "every wave" : owner;
+  Fields fields = {"every texture", kind};
   TextureWords words;
-  bool isGood = in_.readFields(owner, {&common, &own}, [&](std::string_view name) {
+  bool isGood = in_.readFields(owner, fields, [&](std::string_view name) {
     if (name == "octaves") return readOctaves(words.octaves);
     return name == "Transform" ? readTextureTransform(owner, words)
                                : readTextureIndex(owner, words);
@@ -162,16 +164,16 @@ std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
     in_.report(start, "expected two materialIndex in " + std::string(owner) + ", found only one");
     isGood = false;
   }
-  isGood &= in_.checkRanges(own);
+  isGood &= in_.checkRanges(kind, fields);
   if (!isGood || !words.areIndicesGood) return plainMaterial();
 
   const Matrix& matrix = words.toTexture;
   const SolidTexture::Component &first = words.components[0], &second = words.components[1];
   if (owner == "Checkerboard") {
-    return std::make_unique<Checkerboard>(matrix, first, second, own["size"].number());
+    return std::make_unique<Checkerboard>(matrix, first, second, fields["size"].number());
   }
   if (owner == "Noise") return std::make_unique<Noise>(matrix, first, second, words.octaves);
-  const double frequency = own["frequency"].number(), amplitude = own["amplitude"].number();
+  const double frequency = fields["frequency"].number(), amplitude = fields["amplitude"].number();
   if (owner == "Marble") {
     return std::make_unique<Marble>(matrix, first, second, words.octaves, frequency, amplitude);
   }
@@ -188,9 +190,9 @@ bool MaterialReader::readTextureTransform(std::string_view owner, TextureWords& 
   const bool isFirst = !words.hasTransform;
   words.hasTransform = true;
   const bool isOpen = in_.openBlock("Transform");
-  if (!isOpen && !kStepWords.contains(in_.word())) return false;
+  if (!isOpen && !isOneOf(in_.word(), kStepWords)) return false;
   bool isGood = readSteps(in_, kStepWords, false, words.toTexture);
-  while (kObjectWords.contains(in_.word())) {
+  while (isOneOf(in_.word(), kObjectWords)) {
     in_.report(in_.at(), "expected only steps in the Transform of " + std::string(owner) + " (" +
                              listed(kStepWords) + "), found " + quoted(in_.word()));
     in_.skipWordAndBlock();

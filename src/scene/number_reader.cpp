@@ -2,14 +2,13 @@
 //  1. decimal.h: short numbers without an exponent, eight bytes at a time, then one rounded
 //     operation on two doubles that are exact;
 //  2. the standard library, given a word of which the form is known already: from_chars where there
-//     is one, which knows no locale; else strtod, given no point, the only sign of a number that
-//     differs from locale to locale.
+//     is one, which knows no locale; else a stream in the classic one.
 #include "scene/number_reader.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
+#include <locale>
+#include <sstream>
 #include <string>
 
 #include "scene/decimal.h"
@@ -44,30 +43,13 @@ const char* endOfNumber(const char* p, const char* end) {
   return p != exponent ? p : nullptr;
 }
 
-void convert(const char* text, double& value) { value = std::strtod(text, nullptr); }
-void convert(const char* text, float& value) { value = std::strtof(text, nullptr); }
-
-/// Converts any number with its point moved behind its last digit: 1.25e3 as 125e1.
+/// False where the number is too large. Too small a one becomes a denormal or 0, at which some
+/// libraries fail too.
 template <class T>
-void convertWithoutPoint(std::string_view number, T& value) {
-  // Beyond all sense, and yet far from the end of 64 bits, which no word is long enough to reach.
-  constexpr long long kHugeExponent = 1'000'000'000'000'000;
-  const std::size_t digitsEnd = std::min(number.find_first_of("eE"), number.size());
-  std::string text(number.substr(0, digitsEnd));
-  long long exponent = 0;
-  if (digitsEnd != number.size()) {
-    const bool isNegative = number[digitsEnd + 1] == '-';
-    const char* const digits = skipSign(number.data() + digitsEnd + 1, endOf(number));
-    const auto read = std::from_chars(digits, endOf(number), exponent);
-    if (read.ec != std::errc() || exponent > kHugeExponent) exponent = kHugeExponent;
-    if (isNegative) exponent = -exponent;
-  }
-  if (const std::size_t point = text.find('.'); point != std::string::npos) {
-    exponent -= static_cast<long long>(text.size() - point - 1);
-    text.erase(point, 1);
-  }
-  text += 'e' + std::to_string(exponent);
-  convert(text.c_str(), value);
+bool readFromStream(std::string_view number, T& value) {
+  std::istringstream in{std::string(number)};
+  in.imbue(std::locale::classic());
+  return (in >> value) || (value > -1 && value < 1);
 }
 
 /// Any number: what decimal.h cannot read.
@@ -83,8 +65,7 @@ template <class T>
 #else
   const bool isRead = false;
 #endif
-  if (!isRead) convertWithoutPoint({p, std::size_t(stop - p)}, found);
-  if (std::isinf(found)) return nullptr;
+  if (!isRead && !readFromStream({p, std::size_t(stop - p)}, found)) return nullptr;
   value = found;
   return stop;
 }

@@ -3,9 +3,8 @@
 #include "scene/obj_reader.h"
 
 #include <algorithm>
-#include <deque>
+#include <atomic>
 #include <filesystem>
-#include <mutex>
 
 #include "scene/wording.h"
 #include "system/memory.h"
@@ -19,62 +18,39 @@ constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longe
 /// Thrown where a chunk shows that the file must be read as one.
 struct IsUnclear {};
 
-/// Reads the chunks of a file by turns of several threads. Chunks stay where they are as their row
-/// grows. Each thread fills its own in one place, apart from the row, as two that write side by
-/// side slow each other down (1.8 times as long), and then copies it, as vectors that grow time and
-/// again cost more. The file is neither mapped (one that shrinks meanwhile would end the program)
-/// nor kept: the buffer stays in the thread's cache. Measured on 38 MB, two cores: 4 ms; into fresh
-/// memory 13 to 30 ms, mapped 2 to 7 ms.
-class ChunkRow {
- public:
-  /// The file must outlive the row.
-  ChunkRow(const OpenFile& file, std::size_t chunkBytes)
-      : file_(file),
-        chunkBytes_(chunkBytes),
-        count_(std::size_t(file.regularSize() / off_t(chunkBytes)) + 1) {}
-
-  std::size_t count() const { return count_; }
-
-  /// What each thread does. Throws IsUnclear, and then the others end too.
-  void read() {
+/// Reads the chunks of a file by turns of several threads. Each thread fills its own in one place,
+/// apart from the others, as two that write side by side slow each other down (1.8 times as long),
+/// and then copies it, as vectors that grow time and again cost more. The file is neither mapped
+/// (one that shrinks meanwhile would end the program) nor kept: the buffer stays in the thread's
+/// cache. Measured on 38 MB, two cores: 4 ms; into fresh memory 13 to 30 ms, mapped 2 to 7 ms.
+/// Throws IsUnclear.
+std::vector<ObjChunk> readChunks(const OpenFile& file, const ObjReading& how) {
+  std::vector<ObjChunk> chunks(std::size_t(file.regularSize() / off_t(how.chunkBytes)) + 1);
+  std::atomic<std::size_t> next{0};
+  const ObjReport fail = [&](const char*, const std::string&) {
+    next = chunks.size();  // so that the other threads end too
+    throw IsUnclear();
+  };
+  const auto readInTurn = [&](int) {
     std::vector<char> buffer;
     ObjChunk chunk;
-    const ObjReport report = [this](const char*, const std::string&) { fail(); };
-    std::size_t number = 0;
-    while (ObjChunk* const place = next(number)) {
-      const auto statements = readStatements(file_, number, chunkBytes_, buffer);
-      if (!statements) fail();
+    for (std::size_t number; (number = next++) < chunks.size();) {
+      const auto statements = readStatements(file, number, how.chunkBytes, buffer);
+      if (!statements) fail(nullptr, "");
       chunk.clear();
-      readObjChunk(*statements, {}, report, chunk);
-      *place = chunk;
+      readObjChunk(*statements, {}, fail, chunk);
+      chunks[number] = chunk;
     }
-  }
-
-  /// All chunks in a row, once all threads have returned.
-  std::deque<ObjChunk>& chunks() { return chunks_; }
-
- private:
-  ObjChunk* next(std::size_t& number) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    number = chunks_.size();
-    return number < count_ ? &chunks_.emplace_back() : nullptr;
-  }
-  [[noreturn]] void fail() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    count_ = 0;
-    throw IsUnclear();
-  }
-
-  const OpenFile& file_;
-  const std::size_t chunkBytes_;
-  std::mutex mutex_;  // guards all below
-  std::size_t count_;
-  std::deque<ObjChunk> chunks_;
-};
+  };
+  constexpr std::size_t kStackBytes = std::size_t(1) << 20;
+  const int threads = int(std::min(std::size_t(how.threads), chunks.size()));
+  threads == 1 ? readInTurn(0) : runOnThreads(threads, kStackBytes, readInTurn);
+  return chunks;
+}
 
 /// Checks what the chunks took for granted, and moves their backward indices to the vertices of
 /// the whole mesh. False where a guess was wrong.
-bool resolveIndices(std::deque<ObjChunk>& chunks, std::size_t vertexCount) {
+bool resolveIndices(std::vector<ObjChunk>& chunks, std::size_t vertexCount) {
   std::size_t before = 0;
   for (ObjChunk& chunk : chunks) {
     if (chunk.highest > vertexCount || chunk.reachBack > before) return false;
@@ -88,7 +64,7 @@ bool resolveIndices(std::deque<ObjChunk>& chunks, std::size_t vertexCount) {
 
 /// All elements of one kind, in one piece; the chunks' own are freed on the way.
 template <class T>
-std::vector<T> joined(std::deque<ObjChunk>& chunks, std::vector<T> ObjChunk::*elements,
+std::vector<T> joined(std::vector<ObjChunk>& chunks, std::vector<T> ObjChunk::*elements,
                       std::size_t count) {
   std::vector<T> all;
   all.reserve(count);
@@ -100,7 +76,7 @@ std::vector<T> joined(std::deque<ObjChunk>& chunks, std::vector<T> ObjChunk::*el
   return all;
 }
 
-bool join(std::deque<ObjChunk>& chunks, MeshGeometry& mesh) {
+bool join(std::vector<ObjChunk>& chunks, MeshGeometry& mesh) {
   std::size_t vertexCount = 0, faceCount = 0;
   for (const ObjChunk& chunk : chunks) {
     vertexCount += chunk.vertices.size();
@@ -138,15 +114,12 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
   if (!std::filesystem::is_regular_file(filename, ignored)) return false;
   const OpenFile file(filename);
   if (!file.isOpen() || file.regularSize() < 0) return false;
-  ChunkRow row(file, how.chunkBytes);
-  const int threads = int(std::min(std::size_t(how.threads), row.count()));
   try {
-    constexpr std::size_t kStackBytes = std::size_t(1) << 20;
-    threads == 1 ? row.read() : runOnThreads(threads, kStackBytes, [&](int) { row.read(); });
+    std::vector<ObjChunk> chunks = readChunks(file, how);
+    return join(chunks, mesh);
   } catch (const IsUnclear&) {
     return false;
   }
-  return join(row.chunks(), mesh);
 }
 
 MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place) {

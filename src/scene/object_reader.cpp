@@ -32,9 +32,9 @@ const Object3D* ObjectReader::readShape() {
   const char* const at = in_.at();
   const Material* const material = materials_.materialFor(owner, at);
   in_.advance();
-  Fields fields(owner);
-  const bool isRead = in_.readFields(owner, {&fields});
-  if (!in_.checkRanges(fields) || !isRead) return nullptr;
+  Fields fields = {owner};
+  const bool isRead = in_.readFields(owner, fields);
+  if (!in_.checkRanges(owner, fields) || !isRead) return nullptr;
   std::unique_ptr<Object3D> shape = makeShape(owner, at, fields, material);
   if (!shape) return nullptr;
   notes_.objectStarts.emplace_back(shape.get(), at);
@@ -47,7 +47,7 @@ std::unique_ptr<Object3D> ObjectReader::makeShape(std::string_view owner, const 
   if (owner == "TriangleMesh") {
     const Value& file = fields["obj_file"];
     bool isNew = false;
-    const MeshGeometry* const mesh = meshes_.find(file.name, isNew);
+    const MeshGeometry* const mesh = meshes_.find(in_.wordAt(file.at), isNew);
     if (!mesh || !material) return nullptr;
     if (isNew) warnOfMesh(*mesh, file.at);
     return std::make_unique<TriangleMesh>(mesh, material);
@@ -101,7 +101,7 @@ const Object3D* ObjectReader::readGroup() {
   };
   const auto readOther = [this] {
     const bool isIndex = in_.word() == "MaterialIndex";
-    if (!isIndex && !kMaterialWords.contains(in_.word())) return false;
+    if (!isIndex && !isOneOf(in_.word(), kMaterialWords)) return false;
     isIndex ? materials_.readIndex() : materials_.readInline();
     return true;
   };
@@ -171,7 +171,7 @@ std::string problemOf(const Step& step, const double* n, bool mustInvert, Matrix
 bool readStepNumbers(FieldReader& in, const Step& step, double* numbers) {
   if (in.readPlainNumbers(numbers, step.numbers)) return true;
   in.advance();
-  const bool hasBraces = in.word() == "{";
+  const bool hasBraces = in.isAt('{');
   if (hasBraces) in.advance();
   const bool isGood = in.readNumbers(step.name, numbers, step.numbers, false);
   if (hasBraces) in.closeBlock(step.name);
@@ -201,7 +201,7 @@ bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& produ
                                           [&](const Step& each) { return each.name == in.word(); });
     if (step != std::end(kSteps)) {
       isGood &= readStep(in, *step, mustInvert, product);
-    } else if (in.atEnd() || in.word() == "}" || in.isAtBlock()) {
+    } else if (in.atEnd() || in.isAt('}') || in.isAtBlock()) {
       return isGood;
     } else {
       in.skipUnknown("Transform", allowed);
@@ -233,15 +233,15 @@ const Object3D* ObjectReader::readTransform() {
 /// Reads the object of a Transform and the `}` behind it. After a mistake in the steps a missing
 /// object is no news: its name may have been the mistake.
 const Object3D* ObjectReader::readMovedObject(bool areStepsGood) {
-  if (!kObjectWords.contains(in_.word())) {
-    if (areStepsGood || in_.word() != "}") {
+  if (!isOneOf(in_.word(), kObjectWords)) {
+    if (areStepsGood || !in_.isAt('}')) {
       in_.reportExpected("an object in Transform (" + listed(kObjectWords) + ")");
     }
     in_.closeBlock("Transform");
     return nullptr;
   }
   const Object3D* const object = read();
-  while (kObjectWords.contains(in_.word())) {
+  while (isOneOf(in_.word(), kObjectWords)) {
     in_.report(in_.at(),
                "expected '}' behind the one object of Transform, found " + quoted(in_.word()));
     read();

@@ -11,16 +11,16 @@
 namespace {
 
 bool isBlockWord(std::string_view word) {
-  return WordList(kSectionWords).contains(word) || WordList(kLightWords).contains(word) ||
-         WordList(kStepsToMaterials).contains(word);
+  return isOneOf(word, kGroupWords) || isOneOf(word, kStepWords) || isOneOf(word, kLightWords) ||
+         isOneOf(word, kSectionWords);
 }
 
 /// True for every word of the language.
 bool isKnownWord(std::string_view word) {
   const auto isName = [&](std::string_view name) { return isWord(word, name); };
-  return isBlockWord(word) || std::any_of(std::begin(kCountWords), std::end(kCountWords), isName) ||
-         std::any_of(std::begin(kFields), std::end(kFields),
-                     [&](const Field& field) { return isName(field.name); });
+  const auto isField = [&](const Field& field) { return isName(field.name); };
+  return isBlockWord(word) || std::any_of(kCountWords.begin(), kCountWords.end(), isName) ||
+         std::any_of(std::begin(kFields), std::end(kFields), isField);
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ std::string FieldReader::found() const {
   return word_.empty() ? "the end of the file" : quoted(word_);
 }
 
-std::string FieldReader::quotedAt(const char* place) const {
-  return quoted(Tokenizer(text_.bytes().substr(std::size_t(place - text_.bytes().data()))).next());
+std::string_view FieldReader::wordAt(const char* place) const {
+  return Tokenizer(text_.bytes().substr(std::size_t(place - text_.bytes().data()))).next();
 }
 
 void FieldReader::reportExpected(const std::string& expected) {
@@ -69,9 +69,9 @@ void FieldReader::reportFound(const char* place, const std::string& expected) {
 void FieldReader::reportBadNumber(std::string_view what, const std::string& kind) {
   const std::string range = isNumber(word_) && kind == "a number" ? " within range" : "";
   reportExpected(kind + range + " for " + std::string(what));
-  if (word_ == "{") {
+  if (isAt('{')) {
     skipBlock();
-  } else if (!atEnd() && word_ != "}" && !isKnownWord(word_)) {
+  } else if (!atEnd() && !isAt('}') && !isKnownWord(word_)) {
     advance();
   }
 }
@@ -79,35 +79,35 @@ void FieldReader::reportBadNumber(std::string_view what, const std::string& kind
 // Blocks.
 
 bool FieldReader::openBlock(std::string_view owner) {
-  if (word_ == "{") {
+  if (isAt('{')) {
     advance();
     return true;
   }
   reportExpected("'{' after " + std::string(owner));
-  return !atEnd() && word_ != "}" && !isAtBlock();
+  return !atEnd() && !isAt('}') && !isAtBlock();
 }
 
 void FieldReader::closeBlock(std::string_view owner) {
-  if (word_ != "}") reportExpected("'}' at the end of " + std::string(owner));
-  while (!atEnd() && word_ != "}" && !isAtBlock()) {
-    word_ == "{" ? skipBlock() : advance();
+  if (!isAt('}')) reportExpected("'}' at the end of " + std::string(owner));
+  while (!atEnd() && !isAt('}') && !isAtBlock()) {
+    isAt('{') ? skipBlock() : advance();
   }
-  if (word_ == "}") advance();
+  if (isAt('}')) advance();
 }
 
 /// Passes over a whole block, from its `{`.
 void FieldReader::skipBlock() {
   std::size_t depth = 0;
   do {
-    depth += word_ == "{";
-    depth -= word_ == "}";
+    depth += isAt('{');
+    depth -= isAt('}');
     advance();
   } while (depth > 0 && !atEnd());
 }
 
 void FieldReader::skipWordAndBlock() {
   advance();
-  if (word_ == "{") skipBlock();
+  if (isAt('{')) skipBlock();
 }
 
 bool FieldReader::skipUnknown(std::string_view owner, WordList allowed) {
@@ -120,9 +120,9 @@ bool FieldReader::skipUnknown(std::string_view owner, WordList allowed) {
   } else {
     report(at(), "unknown word " + found() + where + "; expected " + listed(allowed));
   }
-  if (word_ != "{") advance();
-  while (!atEnd() && word_ != "}" && !isKnownWord(word_)) {
-    if (word_ == "{") {
+  if (!isAt('{')) advance();
+  while (!atEnd() && !isAt('}') && !isKnownWord(word_)) {
+    if (isAt('{')) {
       skipBlock();
       return true;
     }

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string_view>
 
 #include "scene/wording.h"
@@ -92,8 +93,8 @@ inline constexpr Field kFields[] = {
     {"every wave", "frequency", ValueKind::number},
     {"every wave", "amplitude", ValueKind::number},
 };
-/// No block has more fields in one run of the table.
-inline constexpr std::size_t kMostFields = 5;
+/// No block, with what it has in common with others, has more fields.
+inline constexpr std::size_t kMostFields = 10;
 
 /// A step of a Transform.
 struct Step {
@@ -109,29 +110,40 @@ inline constexpr Step kSteps[] = {
     {"Rotate", 4, true},       {"Matrix", kMostStepNumbers, true},
 };
 
-// The words, by where they may stand.
+// The words, by where they may stand, in the order in which messages list them.
 
-inline constexpr std::string_view kSectionWords[] = {
-    "OrthographicCamera", "PerspectiveCamera", "Lights", "Background", "Materials", "Group"};
-inline constexpr std::string_view kLightWords[] = {"DirectionalLight", "PointLight"};
-/// What may stand in a Transform and what may stand in a Group overlap: they are views of one row.
-// clang-format off
-inline constexpr std::string_view kStepsToMaterials[] = {
-    "Translate", "Scale", "UniformScale", "XRotate", "YRotate", "ZRotate", "Rotate", "Matrix",
-    "Group", "Transform", "Sphere", "Plane", "Triangle", "TriangleMesh",
-    "MaterialIndex",
-    "PhongMaterial", "Material", "BlinnPhongMaterial", "CookTorranceMaterial", "WardMaterial",
-    "OrenNayarMaterial", "Checkerboard", "Noise", "Marble", "Wood"};
-// clang-format on
-/// All that may stand in the Transform of a texture.
-inline constexpr WordList kStepWords(kStepsToMaterials, 8);
-inline constexpr WordList kObjectWords(kStepsToMaterials + 8, 6);
-inline constexpr WordList kTransformWords(kStepsToMaterials, 8 + 6);
-inline constexpr WordList kMaterialWords(kStepsToMaterials + 15, 10);
-inline constexpr WordList kTextureWords(kStepsToMaterials + 21, 4);
+template <std::size_t count>
+using WordArray = std::array<std::string_view, count>;
+
+/// One list behind the other.
+template <std::size_t n, std::size_t m>
+constexpr WordArray<n + m> joined(const WordArray<n>& first, const WordArray<m>& second) {
+  WordArray<n + m> words{};
+  for (std::size_t i = 0; i < n + m; ++i) words[i] = i < n ? first[i] : second[i - n];
+  return words;
+}
+
+inline constexpr WordArray<6> kSectionWords = {"OrthographicCamera", "PerspectiveCamera", "Lights",
+                                               "Background",         "Materials",         "Group"};
+inline constexpr WordArray<2> kLightWords = {"DirectionalLight", "PointLight"};
+inline constexpr WordArray<4> kTextureWords = {"Checkerboard", "Noise", "Marble", "Wood"};
+inline constexpr auto kMaterialWords =
+    joined(WordArray<6>{"PhongMaterial", "Material", "BlinnPhongMaterial", "CookTorranceMaterial",
+                        "WardMaterial", "OrenNayarMaterial"},
+           kTextureWords);
+inline constexpr WordArray<6> kObjectWords = {"Group", "Transform", "Sphere",
+                                              "Plane", "Triangle",  "TriangleMesh"};
 /// What may stand in a Group after its count.
-inline constexpr WordList kGroupWords(kStepsToMaterials + 8, 6 + 1 + 10);
+inline constexpr auto kGroupWords =
+    joined(kObjectWords, joined(WordArray<1>{"MaterialIndex"}, kMaterialWords));
+/// All that may stand in the Transform of a texture, and what may in that of an object.
+inline constexpr auto kStepWords = [] {
+  WordArray<std::size(kSteps)> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = kSteps[i].name;
+  return words;
+}();
+inline constexpr auto kTransformWords = joined(kStepWords, kObjectWords);
 /// With these names the blocks begin that hold others.
-inline constexpr std::string_view kCountWords[] = {"numLights", "numMaterials", "numObjects"};
+inline constexpr WordArray<3> kCountWords = {"numLights", "numMaterials", "numObjects"};
 /// What a CookTorranceMaterial's distribution may be, the default first.
-inline constexpr std::string_view kDistributionWords[] = {"GGX", "Beckmann"};
+inline constexpr WordArray<2> kDistributionWords = {"GGX", "Beckmann"};

@@ -45,9 +45,7 @@ void SceneParser::findClosedMeshes() {
   std::set<const MeshGeometry*> wanted;
   for (const auto& object : objects_) {
     const auto* mesh = dynamic_cast<const TriangleMesh*>(object.get());
-    if (mesh && anyPositive(mesh->getMaterial()->getTransparentColor())) {
-      wanted.insert(&mesh->getGeometry());
-    }
+    if (mesh && mesh->getMaterial()->isTransparent()) wanted.insert(&mesh->getGeometry());
   }
   for (const auto& mesh : meshes_) {
     if (wanted.count(mesh.get()) > 0) mesh->findWhetherClosed();

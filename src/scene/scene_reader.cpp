@@ -31,7 +31,7 @@ void SceneReader::read() {
 
 void SceneReader::readSection() {
   const std::string_view word = in_.word();
-  if (!WordList(kSectionWords).contains(word)) return readMisplaced();
+  if (!isOneOf(word, kSectionWords)) return readMisplaced();
   in_.setQuiet(false);
   if (word == "Lights") {
     readLights();
@@ -55,10 +55,10 @@ void SceneReader::readSection() {
 /// Something that is no section. What follows it up to the next section is its consequence.
 void SceneReader::readMisplaced() {
   const std::string_view word = in_.word();
-  if (word == "}") {
+  if (in_.isAt('}')) {
     in_.report(in_.at(), "expected a section, found '}' without a block to end");
     in_.advance();
-  } else if (kGroupWords.contains(word)) {
+  } else if (isOneOf(word, kGroupWords)) {
     in_.report(in_.at(), "expected " + quoted(word) + " inside a Group, found it outside");
     in_.skipWordAndBlock();
   } else {
@@ -81,22 +81,22 @@ void SceneReader::readCamera() {
   reportSecond("camera", hasCamera_);
   const std::string_view owner = in_.word();
   in_.advance();
-  Fields frame("every camera"), extent(owner);
-  const bool areFieldsGood = in_.readFields(owner, {&frame, &extent});
-  const Value &direction = frame["direction"], &up = frame["up"];
-  const bool areBothGiven = in_.checkRanges(frame) && direction.at && up.at;
+  Fields fields = {"every camera", owner};
+  const bool areFieldsGood = in_.readFields(owner, fields);
+  const Value &direction = fields["direction"], &up = fields["up"];
+  const bool areBothGiven = in_.checkRanges("every camera", fields) && direction.at && up.at;
   const bool isParallel = areBothGiven && areParallel(direction.vector(), up.vector());
   if (isParallel) {
     in_.report(up.at, "expected an up that is not parallel to direction, found them parallel");
   }
-  if (!in_.checkRanges(extent) || !areFieldsGood || !areBothGiven || isParallel) return;
-  const Vec3d center = frame["center"].vector();
+  if (!in_.checkRanges(owner, fields) || !areFieldsGood || !areBothGiven || isParallel) return;
+  const Vec3d center = fields["center"].vector();
   if (owner == "PerspectiveCamera") {
     scene_.camera_ = std::make_unique<PerspectiveCamera>(center, direction.vector(), up.vector(),
-                                                         math::radians(extent["angle"].number()));
+                                                         math::radians(fields["angle"].number()));
   } else {
     scene_.camera_ = std::make_unique<OrthographicCamera>(center, direction.vector(), up.vector(),
-                                                          extent["size"].number());
+                                                          fields["size"].number());
   }
 }
 
@@ -111,9 +111,9 @@ void SceneReader::readLight() {
   const std::string_view owner = in_.word();
   const char* const at = in_.at();
   in_.advance();
-  Fields fields(owner);
-  const bool isRead = in_.readFields(owner, {&fields});
-  if (!in_.checkRanges(fields) || !isRead) return;
+  Fields fields = {owner};
+  const bool isRead = in_.readFields(owner, fields);
+  if (!in_.checkRanges(owner, fields) || !isRead) return;
   const Vec3f color = fields["color"].color();
   std::unique_ptr<Light> light;
   if (owner == "DirectionalLight") {
@@ -129,9 +129,9 @@ void SceneReader::readLight() {
 void SceneReader::readBackground() {
   reportSecond("Background", hasBackground_);
   in_.advance();
-  Fields fields("Background");
-  in_.readFields("Background", {&fields});
-  in_.checkRanges(fields);
+  Fields fields = {"Background"};
+  in_.readFields("Background", fields);
+  in_.checkRanges("Background", fields);
   scene_.backgroundColor_ = fields["color"].color();
   scene_.ambientLight_ = fields["ambientLight"].color();
 }

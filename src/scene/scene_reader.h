@@ -88,9 +88,9 @@ class MaterialReader {
 
   void add();
   std::unique_ptr<Material> read();
-  std::unique_ptr<Material> make(std::string_view owner, const Fields& own, const Fields& common,
+  std::unique_ptr<Material> make(std::string_view owner, const Fields& fields,
                                  std::size_t distribution);
-  Fresnel fresnelOf(const Fields& own);
+  Fresnel fresnelOf(const Fields& fields);
   std::unique_ptr<Material> readTexture(std::string_view owner);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
   bool readTextureIndex(std::string_view owner, TextureWords& words);

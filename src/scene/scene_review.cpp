@@ -29,13 +29,6 @@ constexpr std::size_t kMostNamed = 5;
 constexpr std::size_t kMostSteps = 4'000'000;
 constexpr std::size_t kStepsPerFace = 8;
 
-bool isIn(const BoundingBox& box, const Vec3d& p) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(box.low()[axis] <= p[axis] && p[axis] <= box.high()[axis])) return false;
-  }
-  return true;
-}
-
 /// The solid angle of a face as seen from the origin, its corners given, with the sign of its
 /// side. Source: van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983. (The
 /// arctangent may be the system's: nothing of it reaches a pixel.)
@@ -91,7 +84,7 @@ class Walk {
   void visitSphere(const Sphere& sphere, const View& view, const Points& points);
   void visitTriangle(const Triangle& triangle, const View& view);
   void visitMesh(const TriangleMesh& mesh, const View& view, const Points& points);
-  void noteMaterial(const Material& material);
+  void note(const Object3D& object, const Material& material, bool isBehind);
   bool mayEnclose(const Material& material);
   template <class IsInside>
   void findEnclosed(const Object3D& object, const Points& points, const IsInside& isInside);
@@ -139,7 +132,7 @@ void Walk::visit(const Object3D& object, const View& view, const Points& points)
   } else if (kind == typeid(TriangleMesh)) {
     visitMesh(static_cast<const TriangleMesh&>(object), view, points);
   } else if (kind == typeid(Plane)) {
-    noteMaterial(*static_cast<const Plane&>(object).getMaterial());
+    note(object, *static_cast<const Plane&>(object).getMaterial(), false);
   } else if (kind == typeid(Group)) {
     for (const Object3D* each : static_cast<const Group&>(object).getObjects()) {
       if (each) visit(*each, view, points);
@@ -163,12 +156,10 @@ void Walk::visitMoved(const Transform& transform, const View& view, const Points
 }
 
 void Walk::visitSphere(const Sphere& sphere, const View& view, const Points& points) {
-  noteMaterial(*sphere.getMaterial());
   const Vec3d& center = sphere.getCenter();
   const double radius = sphere.getRadius();
-  if (isPerspective_ && dot(view.normal, center) + view.offset + radius * view.length <= 0) {
-    behind_.push_back(&sphere);
-  }
+  note(sphere, *sphere.getMaterial(),
+       dot(view.normal, center) + view.offset + radius * view.length <= 0);
   if (!mayEnclose(*sphere.getMaterial())) return;
   findEnclosed(sphere, points, [&](const Vec3d& p) {
     const Vec3d apart = p - center;
@@ -177,35 +168,34 @@ void Walk::visitSphere(const Sphere& sphere, const View& view, const Points& poi
 }
 
 void Walk::visitTriangle(const Triangle& triangle, const View& view) {
-  noteMaterial(*triangle.getMaterial());
-  if (!isPerspective_) return;
+  bool isBehind = true;
   for (int i = 0; i < 3; ++i) {
-    if (!(dot(view.normal, triangle.getVertex(i)) + view.offset <= 0)) return;
+    isBehind &= dot(view.normal, triangle.getVertex(i)) + view.offset <= 0;
   }
-  behind_.push_back(&triangle);
+  note(triangle, *triangle.getMaterial(), isBehind);
 }
 
 void Walk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
-  noteMaterial(*mesh.getMaterial());
   BoundingBox box;
   mesh.getGeometry().addBounds(Matrix(), box);
-  if (box.isEmpty()) return;
   double farthest = view.offset;
   for (int axis = 0; axis < 3; ++axis) {
     const double n = view.normal[axis];
     farthest += n * (n > 0 ? box.high() : box.low())[axis];
   }
-  if (isPerspective_ && farthest <= 0) behind_.push_back(&mesh);
-  if (!mayEnclose(*mesh.getMaterial())) return;
+  note(mesh, *mesh.getMaterial(), farthest <= 0 && !box.isEmpty());
+  if (box.isEmpty() || !mayEnclose(*mesh.getMaterial())) return;
   findEnclosed(mesh, points, [&](const Vec3d& p) {
     constexpr double kAlmostAll = 0.999;  // rounding is far less, and so is no hole of any size
-    if (!isIn(box, p)) return false;
+    if (!box.contains({p, p})) return false;
     steps_ += kStepsPerFace * mesh.getGeometry().faceCount();
     return steps_ <= kMostSteps && std::fabs(windingNumber(mesh.getGeometry(), p)) > kAlmostAll;
   });
 }
 
-void Walk::noteMaterial(const Material& material) {
+/// What there is to know of every shape.
+void Walk::note(const Object3D& object, const Material& material, bool isBehind) {
+  if (isPerspective_ && isBehind) behind_.push_back(&object);
   if (&material == lastMaterial_) return;
   lastMaterial_ = &material;
   hasMirror_ |= anyPositive(material.getReflectiveColor());
@@ -215,7 +205,7 @@ void Walk::noteMaterial(const Material& material) {
 bool Walk::mayEnclose(const Material& material) {
   if (pointLights_.empty() || steps_ > kMostSteps) return false;
   steps_ += pointLights_.size();
-  return !anyPositive(material.getTransparentColor());
+  return !material.isTransparent();
 }
 
 /// An eye in the same object sees what the lights in there shine on.

@@ -2,7 +2,6 @@
 #include "scene/solid_objects.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 
 #include "geometry/group.h"
@@ -22,17 +21,9 @@ double determinantOf(const Matrix& matrix) {
              cross(matrix.transformDirection({0, 1, 0}), matrix.transformDirection({0, 0, 1})));
 }
 
-bool isTransparent(const Material* material) {
-  return anyPositive(material->getTransparentColor());
-}
-
 }  // namespace
 
-SolidObjects::SolidObjects(const Object3D& root) {
-  add(root, Matrix());
-  std::sort(solids_.begin(), solids_.end(),
-            [](const Solid& a, const Solid& b) { return std::less<>()(a.object, b.object); });
-}
+SolidObjects::SolidObjects(const Object3D& root) { add(root, Matrix()); }
 
 /// The depth of recursion is the scene's nesting.
 void SolidObjects::add(const Object3D& object, const Matrix& toWorld) {
@@ -48,22 +39,19 @@ void SolidObjects::add(const Object3D& object, const Matrix& toWorld) {
   double own = -1;  // not solid
   if (const auto* sphere = dynamic_cast<const Sphere*>(&object)) {
     const double radius = sphere->getRadius();
-    if (isTransparent(sphere->getMaterial())) own = kBall * (radius * radius * radius);
+    if (sphere->getMaterial()->isTransparent()) own = kBall * (radius * radius * radius);
   } else if (const auto* mesh = dynamic_cast<const TriangleMesh*>(&object)) {
-    const bool isSolid = mesh->getGeometry().isClosed() && isTransparent(mesh->getMaterial());
-    if (isSolid) own = ::volumeOf(mesh->getGeometry());
+    const MeshGeometry& geometry = mesh->getGeometry();
+    if (geometry.isClosed() && mesh->getMaterial()->isTransparent()) own = ::volumeOf(geometry);
   }
   if (own < 0) return;
-  solids_.push_back({&object, std::fabs(determinantOf(toWorld)) * own});
+  volumes_[&object] = std::fabs(determinantOf(toWorld)) * own;
   object.addBounds(toWorld, box_);
 }
 
 double SolidObjects::volumeOf(const Object3D* object) const {
-  const auto found = std::lower_bound(
-      solids_.begin(), solids_.end(), object,
-      [](const Solid& a, const Object3D* b) { return std::less<>()(a.object, b); });
-  const bool isListed = found != solids_.end() && found->object == object;
-  return isListed ? found->volume : std::numeric_limits<double>::infinity();
+  const auto found = volumes_.find(object);
+  return found != volumes_.end() ? found->second : std::numeric_limits<double>::infinity();
 }
 
 bool SolidObjects::areBeyond(const Vec3d& point, double distance) const {

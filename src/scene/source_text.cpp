@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -58,7 +59,16 @@ bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
 }
 
 bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-bool isBrace(char c) { return c == '{' || c == '}'; }
+/// By byte: white space and braces. (A table takes half the instructions of comparisons.)
+constexpr auto kEndsWord = [] {
+  std::array<bool, 256> ends{};
+  for (const char c : std::string_view(" \t\n\v\f\r{}")) ends[std::size_t(c)] = true;
+  return ends;
+}();
+/// Of a word that would begin at `p`.
+bool isComment(const char* p, const char* end) {
+  return *p == '#' || (*p == '/' && p + 1 != end && p[1] == '/');
+}
 
 }  // namespace
 
@@ -87,26 +97,16 @@ Tokenizer::Tokenizer(std::string_view bytes)
     : place_(withoutByteOrderMark(bytes).data()), end_(bytes.data() + bytes.size()) {}
 
 std::string_view Tokenizer::next() {
-  skipToWord();
-  const char* const start = place_;
-  if (place_ != end_ && isBrace(*place_)) {
-    ++place_;
-  } else {
-    while (place_ != end_ && !isSpace(*place_) && !isBrace(*place_)) ++place_;
+  const char* p = place_;
+  while (p != end_ && (isSpace(*p) || isComment(p, end_))) {
+    const void* const newline = isSpace(*p) ? p + 1 : std::memchr(p, '\n', std::size_t(end_ - p));
+    p = newline ? static_cast<const char*>(newline) : end_;
   }
-  return {start, std::size_t(place_ - start)};
-}
-
-void Tokenizer::skipToWord() {
-  for (;;) {
-    while (place_ != end_ && isSpace(*place_)) ++place_;
-    if (place_ == end_) return;
-    const bool isComment =
-        *place_ == '#' || (*place_ == '/' && place_ + 1 != end_ && place_[1] == '/');
-    if (!isComment) return;
-    const void* newline = std::memchr(place_, '\n', std::size_t(end_ - place_));
-    place_ = newline ? static_cast<const char*>(newline) : end_;
-  }
+  const char* const start = p;
+  while (p != end_ && !kEndsWord[static_cast<unsigned char>(*p)]) ++p;
+  if (p == start && p != end_) ++p;  // a brace
+  place_ = p;
+  return {start, std::size_t(p - start)};
 }
 
 std::string_view withoutByteOrderMark(std::string_view bytes) {

@@ -52,8 +52,6 @@ class Tokenizer {
   void moveTo(const char* place) { place_ = place; }
 
  private:
-  void skipToWord();
-
   const char* place_;
   const char* end_;
 };

@@ -33,8 +33,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool WordList::contains(std::string_view word) const {
-  return std::find(begin(), end(), word) != end();
+bool isOneOf(std::string_view word, WordList words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 std::string quoted(std::string_view word, std::size_t limit) {
