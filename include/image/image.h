@@ -2,6 +2,7 @@
 // Pixel (0, 0) is the lower left one: x counts to the right and y upwards, as the camera's do. (In
 // most files the top row comes first; their readers and writers turn rows round.)
 #pragma once
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -19,9 +20,14 @@ static_assert(sizeof(Rgb8) == 3, "a row of them is a row of bytes");
 
 /// int(component * 255) clamped to 0..255: truncated, not rounded. Below 1/255 (also negative, and
 /// -infinity) it is 0, from 1 on (also infinity) 255; NaN is 0.
-std::uint8_t byteFromComponent(float component);
+inline std::uint8_t byteFromComponent(float component) {
+  // NaN, for which every comparison is false, is less than nothing here.
+  return std::uint8_t(std::min(255.0f, std::max(0.0f, component * 255.0f)));
+}
 /// That of red, green and blue, each on its own.
-Rgb8 bytesFromColor(const Vec3f& color);
+inline Rgb8 bytesFromColor(const Vec3f& color) {
+  return {byteFromComponent(color.r()), byteFromComponent(color.g()), byteFromComponent(color.b())};
+}
 
 /// Rows of pixels.
 template <class Pixel>

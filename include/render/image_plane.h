@@ -43,21 +43,28 @@ constexpr int evenBits(int place) {
   return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
 }
 
-/// The pixels of `area` in an order of the whole plane: blocks of 16 x 16 row by row, those of a
-/// block in the order of evenBits. Any two pixels come in the same order in every area.
-inline std::vector<Pixel> pixelsInOrder(const PixelRectangle& area) {
+/// Calls visit(pixel) for the pixels of `area` in an order of the whole plane: blocks of 16 x 16 row
+/// by row, those of a block in the order of evenBits. Any two pixels come in the same order in
+/// every area.
+template <class Visit>
+void visitInOrder(const PixelRectangle& area, const Visit& visit) {
   constexpr int kBlock = 16;
   const auto blockStart = [](int at) { return at - (at % kBlock + kBlock) % kBlock; };
-  std::vector<Pixel> pixels;
-  pixels.reserve(area.pixelCount());
   for (int j = blockStart(area.bottom); j < area.top; j += kBlock) {
     for (int i = blockStart(area.left); i < area.right; i += kBlock) {
       for (int place = 0; place < kBlock * kBlock; ++place) {
         const Pixel at = {i + evenBits(place), j + evenBits(place >> 1)};
-        if (area.contains(at)) pixels.push_back(at);
+        if (area.contains(at)) visit(at);
       }
     }
   }
+}
+
+/// Those pixels.
+inline std::vector<Pixel> pixelsInOrder(const PixelRectangle& area) {
+  std::vector<Pixel> pixels;
+  pixels.reserve(area.pixelCount());
+  visitInOrder(area, [&](Pixel at) { pixels.push_back(at); });
   return pixels;
 }
 

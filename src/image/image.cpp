@@ -1,19 +1,9 @@
-// Image and FloatImage: the byte rule, making and filling.
+// Image and FloatImage: making and filling.
 #include "image/image.h"
 
 #include <algorithm>
 
 #include "system/memory.h"
-
-std::uint8_t byteFromComponent(float component) {
-  const float scaled = component * 255.0f;
-  if (!(scaled >= 1.0f)) return 0;  // also NaN, for which every comparison is false
-  return scaled >= 255.0f ? std::uint8_t{255} : static_cast<std::uint8_t>(scaled);
-}
-
-Rgb8 bytesFromColor(const Vec3f& color) {
-  return {byteFromComponent(color.r()), byteFromComponent(color.g()), byteFromComponent(color.b())};
-}
 
 /// On large pages: gigabytes of small ones take the system 0.3 s to give back, which a signal that
 /// ends the program would wait for; so it is 0.02 s.

@@ -65,6 +65,11 @@ void set(Image* image, FloatImage* exact, Pixel at, const Vec3f& color) {
   if (exact) exact->setPixel(at.i, at.j, color);
 }
 
+/// A pixel of the whole picture where the targets hold it.
+Pixel inTargets(const RenderTargets& targets, Pixel at) {
+  return {at.i - targets.window.left, at.j - targets.window.bottom};
+}
+
 /// Once through all tiles.
 struct Pass {
   RenderTargets targets;  // those that it fills, and no other
@@ -103,21 +108,23 @@ void setSurface(const RenderTargets& targets, const Hit& hit, Pixel at) {
 Pass centralPass(const PictureView& view, const RenderTargets& targets, Vec2<int> size,
                  int threads) {
   const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
-    const std::vector<Pixel> pixels = pixelsInOrder(area);
-    const int count = int(pixels.size());
-    std::vector<Sample> samples;
-    for (const Pixel at : pixels) {
-      samples.push_back({{targets.window.left + at.i, targets.window.bottom + at.j}, {0.5, 0.5}});
-    }
-    const Arena::Frame frame(tracer.arena());
-    WaveRays rays(tracer.arena(), count, false);
-    setEyeRays(view, samples.data(), count, tracer, rays);
-    HitTable hits(tracer.arena(), count);
-    auto* colors = tracer.arena().take<Vec3f>(pixels.size());
+    // All memory is the arena's: that of vectors, given back and taken anew for each tile, cost a
+    // sixth of the time of a picture of three objects.
+    Arena& arena = tracer.arena();
+    const Arena::Frame frame(arena);
+    auto* samples = arena.take<Sample>(area.pixelCount());
+    int count = 0;
+    visitInOrder(area.moved(targets.window.left, targets.window.bottom), [&](Pixel at) {
+      samples[count++] = {at, {0.5, 0.5}};
+    });
+    WaveRays rays(arena, count, false);
+    setEyeRays(view, samples, count, tracer, rays);
+    HitTable hits(arena, count);
+    auto* colors = arena.take<Vec3f>(area.pixelCount());
     targets.color ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
     const bool hasSurfaces = targets.depth || targets.normals || targets.materials;
     for (int k = 0; k < count; ++k) {
-      const Pixel at = pixels[std::size_t(k)];
+      const Pixel at = inTargets(targets, samples[k].at);
       if (targets.color) set(targets.color, targets.exactColor, at, colors[k]);
       if (hasSurfaces) setSurface(targets, hits.hitOf(k, rays.tmax[k]), at);
     }
@@ -165,8 +172,7 @@ Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int
     takeSamples({view, tracer, sampler, options.tolerance}, inPicture.grown(reach), take);
     if (!targets.color) return;
     for (const Pixel at : pixelsInOrder(inPicture)) {
-      const Pixel inTargets = {at.i - targets.window.left, at.j - targets.window.bottom};
-      set(targets.color, targets.exactColor, inTargets, film.getColor(at));
+      set(targets.color, targets.exactColor, inTargets(targets, at), film.getColor(at));
     }
   };
   const Tiling tiling = tilingOf(size, sampler, reach, threads);
