@@ -32,10 +32,47 @@ class SolidTexture : public Material {
   /// that it is not, and the index and priority of the first.
   SolidTexture(const Matrix& toTexture, const Component& first, const Component& second);
 
-  /// The plain materials at a point of the world, each once, latest place first; their weights add
-  /// up to 1 but for rounding. Never empty. Takes time in proportion to the textures below this one
-  /// (a texture that is reached in many ways is looked at once), and no stack.
-  std::vector<WeightedMaterial> materialsAt(const Vec3d& point) const;
+  /// What a texture comes down to at a point: plain materials. Who asks for many points keeps one,
+  /// and so its memory.
+  class Mixture {
+   public:
+    auto begin() const { return plain_.begin(); }
+    auto end() const { return plain_.end(); }
+    std::size_t size() const { return plain_.size(); }
+    const WeightedMaterial& operator[](std::size_t i) const { return plain_[i]; }
+
+   private:
+    friend class SolidTexture;
+
+    /// A share of a component that is still to be looked at.
+    struct Waiting {
+      Component component;
+      double weight;
+      std::size_t arrival;  // of two shares of one component, the first comes first
+
+      bool operator<(const Waiting& other) const {
+        return component.place != other.component.place ? component.place < other.component.place
+                                                        : arrival > other.arrival;
+      }
+    };
+    void add(const Component& component, double weight);
+    WeightedMaterial takeLatest();
+
+    std::vector<WeightedMaterial> plain_;
+    std::vector<Waiting> waiting_;  // a heap, the latest place on top
+    std::size_t arrivals_ = 0;
+  };
+
+  /// Sets `mixture` to the plain materials at a point of the world, each once, latest place first;
+  /// their weights add up to 1 but for rounding. Never empty. Takes time in proportion to the
+  /// textures below this one (a texture that is reached in many ways is looked at once), and no
+  /// stack.
+  void mixAt(const Vec3d& point, Mixture& mixture) const;
+  Mixture materialsAt(const Vec3d& point) const {
+    Mixture mixture;
+    mixAt(point, mixture);
+    return mixture;
+  }
 
   /// The mean of the components' light, by weight, at the point that was hit.
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,

@@ -195,6 +195,7 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
   const WaveGeneration generation = {rays, hits, meet(rays, hits), bounces};
   WaveHit* met = arena_.take<WaveHit>(std::size_t(RayTable::kMost));
   Vec3d* mixtures = nullptr;  // the sums of textures' components, for each ray
+  SolidTexture::Mixture mixture;
   int count = 0;
   const auto add = [&](int row, const WeightedMaterial& weighted, bool isComponent) {
     if (count == RayTable::kMost) {
@@ -211,9 +212,8 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
         mixtures = arena_.take<Vec3d>(std::size_t(rays.count));
         std::fill(mixtures, mixtures + rays.count, Vec3d());
       }
-      for (const WeightedMaterial& component : texture->materialsAt(rowOf(hits.point, row))) {
-        add(row, component, true);
-      }
+      texture->mixAt(rowOf(hits.point, row), mixture);
+      for (const WeightedMaterial& component : mixture) add(row, component, true);
     } else {
       add(row, {hits.material[row], 1}, false);
     }

@@ -13,25 +13,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
 
 #include "math/functions.h"
 #include "math/perlin_noise.h"
 
-namespace {
-
-/// Materials that wait for their turn, by place.
-using Waiting = std::map<std::size_t, WeightedMaterial>;
-
 /// A weight of 0, as one that has become too small for a double, adds nobody to wait.
-void add(Waiting& waiting, const SolidTexture::Component& component, double weight) {
+void SolidTexture::Mixture::add(const Component& component, double weight) {
   if (!(weight > 0)) return;
-  const WeightedMaterial none{component.material, 0};
-  waiting.try_emplace(component.place, none).first->second.weight += weight;
+  waiting_.push_back({component, weight, arrivals_++});
+  std::push_heap(waiting_.begin(), waiting_.end());
 }
 
-}  // namespace
+/// The waiting one of the latest place, with all its shares.
+WeightedMaterial SolidTexture::Mixture::takeLatest() {
+  const Component latest = waiting_.front().component;
+  double weight = 0;
+  while (!waiting_.empty() && waiting_.front().component.place == latest.place) {
+    weight += waiting_.front().weight;
+    std::pop_heap(waiting_.begin(), waiting_.end());
+    waiting_.pop_back();
+  }
+  return {latest.material, weight};
+}
 
 SolidTexture::SolidTexture(const Matrix& toTexture, const Component& first, const Component& second)
     : Material(
@@ -45,22 +48,19 @@ SolidTexture::SolidTexture(const Matrix& toTexture, const Component& first, cons
   setPriority(first.material->getPriority());
 }
 
-std::vector<WeightedMaterial> SolidTexture::materialsAt(const Vec3d& point) const {
-  std::vector<WeightedMaterial> plain;
-  Waiting waiting;
+void SolidTexture::mixAt(const Vec3d& point, Mixture& mixture) const {
+  mixture.plain_.clear();
   WeightedMaterial current{this, 1};
   for (;;) {
     if (const SolidTexture* texture = current.material->asTexture()) {
       const double second = texture->clampedWeight(point);
-      add(waiting, texture->first_, current.weight * (1 - second));
-      add(waiting, texture->second_, current.weight * second);
+      mixture.add(texture->first_, current.weight * (1 - second));
+      mixture.add(texture->second_, current.weight * second);
     } else {
-      plain.push_back(current);
+      mixture.plain_.push_back(current);
     }
-    if (waiting.empty()) return plain;
-    const auto latest = std::prev(waiting.end());
-    current = latest->second;
-    waiting.erase(latest);
+    if (mixture.waiting_.empty()) return;
+    current = mixture.takeLatest();
   }
 }
 
