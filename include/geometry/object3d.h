@@ -17,12 +17,14 @@ struct Crossing {
   const Material* material;  ///< its material; not owned
   bool closed;               ///< the object encloses a volume
   bool leaving;              ///< the ray goes out along the normal here
+  /// So many surfaces of the object coincide here; 1 where it is closed.
+  std::uint32_t count = 1;
 };
 
 class CrossingVisitor {
  public:
   virtual ~CrossingVisitor() = default;
-  /// Called once for every crossing, in no particular order.
+  /// Called for every crossing, in no particular order; once for all that Crossing::count tells.
   virtual void visit(const Crossing& crossing) = 0;
 };
 

@@ -102,7 +102,7 @@ struct HitTable {
 class RowCrossingVisitor {
  public:
   virtual ~RowCrossingVisitor() = default;
-  /// Called once for every crossing of ray `row`, in no particular order.
+  /// Called as CrossingVisitor::visit for every crossing of ray `row`, in no particular order.
   virtual void visit(int row, const Crossing& crossing) = 0;
 };
 

@@ -20,8 +20,9 @@ class TriangleMesh : public Object3D {
   /// The same, for a caller who has the face's corners at hand.
   void setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray,
               double t, Hit& hit) const;
-  /// Reports the crossing with one face, if there is one at t > 0.
-  void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const;
+  /// Reports the crossing with one face, if there is one at t > 0. `count` faces have its corners.
+  void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor,
+                 std::uint32_t count = 1) const;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;

@@ -29,12 +29,17 @@ class MeshQuestion {
   MeshTree::Triangle triangleOf(const Candidate& c) const {
     return asked_.tree.triangleAt(stream_.words + c.leaf, c.lane);
   }
-  /// True where the ray hits the triangle at a t above tmin.
-  bool isHit(const Candidate& c, const MeshTree::Triangle& corners, double& t) const {
+  /// True where the ray hits the triangle at a t above tmin. Where it leaves the face, the next one
+  /// with the same corners takes its place.
+  bool isHit(const Candidate& c, MeshTree::Triangle& corners, double& t) const {
     const int row = stream_.rowOf(c.ray);
     const Ray ray = stream_.rays->rayOf(row);
-    return !ray.leaves(&asked_.mesh, corners.face) &&
-           triangle::intersect(corners.a, corners.b, corners.c, ray, t) &&
+    if (ray.leaves(&asked_.mesh, corners.face)) {
+      const FaceCopies* copies = asked_.tree.copiesOf(corners.face);
+      if (!copies) return false;
+      corners.face = copies->next;
+    }
+    return triangle::intersect(corners.a, corners.b, corners.c, ray, t) &&
            t > stream_.rays->tmin[row];
   }
 
@@ -92,7 +97,7 @@ class NearestInMesh : public MeshQuestion {
 
   void consider(const Candidate& c) {
     if (!survives(c)) return;
-    const MeshTree::Triangle corners = triangleOf(c);
+    MeshTree::Triangle corners = triangleOf(c);
     const int row = stream_.rowOf(c.ray);
     const NearestSoFar best{stream_.rays->tmax[row], hits_.order[row], winners_[c.ray].face};
     double t;
@@ -135,9 +140,10 @@ struct OccludedByMesh : MeshQuestion {
     const auto& self = *static_cast<const OccludedByMesh*>(stream.context);
     for (int k = 0; k < stream.candidateCount; ++k) {
       const Candidate& c = stream.candidates[k];
+      if (stream.hasEnded(c.ray)) continue;
+      MeshTree::Triangle corners = self.triangleOf(c);
       double t;
-      if (!stream.hasEnded(c.ray) && self.isHit(c, self.triangleOf(c), t) &&
-          t < stream.rays->tmax[stream.rowOf(c.ray)]) {
+      if (self.isHit(c, corners, t) && t < stream.rays->tmax[stream.rowOf(c.ray)]) {
         stream.end(c.ray);
       }
     }
@@ -155,7 +161,10 @@ struct CrossingsOfMesh : MeshQuestion {
       const Candidate& c = stream.candidates[k];
       const int row = stream.rowOf(c.ray);
       CrossingsOfRow crossings(row, self.visitor);
-      self.asked_.mesh.visitFace(self.triangleOf(c).face, stream.rays->rayOf(row), crossings);
+      const std::uint32_t face = self.triangleOf(c).face;
+      const FaceCopies* copies = self.asked_.tree.copiesOf(face);
+      self.asked_.mesh.visitFace(face, stream.rays->rayOf(row), crossings,
+                                 copies ? copies->count : 1);
     }
     stream.candidateCount = 0;
   }

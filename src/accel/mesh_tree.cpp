@@ -3,28 +3,51 @@
 // Corners are stored scaled by a power of two, which brings the mesh's longest side to 1 to 2: that
 // loses no digit unless a number leaves the range of float, so dividing gives back the mesh's own
 // corners; where any does not come back, they are fetched from the mesh instead. There is no
-// anchor, for taking it away would round. Boxes of faces are the exact boxes of such corners. Faces
-// without area are left out: no ray hits them. All steps go over chunks by all threads.
+// anchor, for taking it away would round. All steps go over chunks by all threads.
+//
+// Many faces with the very same corners would all be in the way of a ray that meets one. They end
+// up in leaves whose boxes are all the same; where there are several such leaves, the tree is built
+// again of the first of each and the number of its copies.
 #include "accel/mesh_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <mutex>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "accel/build_range.h"
+#include "accel/mesh_items.h"
 #include "accel/thread_pool.h"
-#include "geometry/triangle.h"
 #include "math/bounding_box.h"
 
 namespace accel {
 namespace {
 
-/// Writes leaves of corners, scaled.
+/// From so many faces on that lie on others, copies are looked for.
+constexpr std::size_t kPilesThatPay = 64;
+
+/// Faces of leaves in which all have the same box. Any thread may add.
+class Piles {
+ public:
+  void add(const BuildItem* items, int count) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (int i = 0; i < count; ++i) faces_.push_back(items[i].id);
+  }
+  const std::vector<std::uint32_t>& faces() const { return faces_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::uint32_t> faces_;
+};
+
+/// Writes leaves of corners, scaled, and tells `piles` of faces that lie on one another.
 class MeshLeafWriter : public LeafWriter {
  public:
-  MeshLeafWriter(const MeshGeometry& geometry, float scale) : geometry_(geometry), scale_(scale) {}
+  MeshLeafWriter(const MeshGeometry& geometry, float scale, Piles& piles)
+      : geometry_(geometry), scale_(scale), piles_(piles) {}
 
   void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
              std::uint32_t* words) const override {
@@ -61,9 +84,21 @@ class MeshLeafWriter : public LeafWriter {
       edge = std::max({edge, maxAbs(corners[1] - corners[0]), maxAbs(corners[2] - corners[0])});
     }
     words[0] = leafHead(edge, LeafKind::meshTriangles, count);
+    if (isPile(items, count)) piles_.add(items, count);
   }
+  /// Whether all boxes are the same. More of them than a leaf takes are halved by number, so that
+  /// half a leaf of them is left at least.
+  static bool isPile(const BuildItem* items, int count) {
+    return count >= mostInLeaf(LeafKind::meshTriangles) / 2 &&
+           std::all_of(items + 1, items + count, [&](const BuildItem& item) {
+             return std::equal(item.low, item.low + 3, items[0].low) &&
+                    std::equal(item.high, item.high + 3, items[0].high);
+           });
+  }
+
   const MeshGeometry& geometry_;
   float scale_;
+  Piles& piles_;
 };
 
 /// A power of two that brings the longest side of the box to 1 to 2, or 1 where there is none.
@@ -72,20 +107,8 @@ float scaleFor(const BoundingBox& box) {
   return std::ldexp(1.0f, std::clamp(-std::ilogb(longest), -126, 126));
 }
 
-constexpr std::size_t kChunk = 32768;
-
-/// Calls work(chunk, begin, end) for chunks of [0, count).
-template <class Work>
-void forEachChunk(ThreadPool& pool, std::size_t count, const Work& work) {
-  pool.forEachIndex((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-    work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
-  });
-}
-
-Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
-
 BoundingBox boxOf(const std::vector<Vec3f>& vertices, ThreadPool& pool) {
-  std::vector<BoundingBox> boxes(vertices.size() / kChunk + 1);
+  std::vector<BoundingBox> boxes(vertices.size() / kFacesPerChunk + 1);
   forEachChunk(pool, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     Box4 box = Box4::empty();
     for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
@@ -100,7 +123,7 @@ BoundingBox boxOf(const std::vector<Vec3f>& vertices, ThreadPool& pool) {
 
 /// True where scaling loses no digit.
 bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, ThreadPool& pool) {
-  std::vector<char> exact(vertices.size() / kChunk + 1, 1);
+  std::vector<char> exact(vertices.size() / kFacesPerChunk + 1, 1);
   forEachChunk(pool, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     bool same = true;
     for (std::size_t i = begin; i < end; ++i) {
@@ -111,51 +134,6 @@ bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, ThreadPool& 
   return std::all_of(exact.begin(), exact.end(), [](char same) { return same != 0; });
 }
 
-/// Whether triangle::areaNormal is not 0, mostly without computing it: rounding changes the float
-/// normal by less than 2^-21 of the product of the edges, a denormal by less than 2^-120.
-bool hasArea(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-  const Vec3f e1 = b - a, e2 = c - a;
-  if (maxAbs(cross(e1, e2)) > maxAbs(e1) * maxAbs(e2) * 0x1p-20f + 0x1p-120f) return true;
-  return triangle::areaNormal(Vec3d(a), Vec3d(b), Vec3d(c)) != Vec3d();
-}
-
-/// Appends the boxes of faces [begin, end) that have an area at `item`; returns the end.
-BuildItem* appendItems(const MeshGeometry& geometry, float scale, std::size_t begin,
-                       std::size_t end, BuildItem* item) {
-  const std::vector<Vec3f>& vertices = geometry.getVertices();
-  const Float4 scales = Float4::all(scale);
-  for (std::size_t i = begin; i < end; ++i) {
-    const MeshGeometry::Face& face = geometry.getFaces()[i];
-    const Vec3f &v0 = vertices[face[0]], &v1 = vertices[face[1]], &v2 = vertices[face[2]];
-    if (!hasArea(v0, v1, v2)) continue;
-    const Float4 a = asFloat4(v0), b = asFloat4(v1), c = asFloat4(v2);
-    (smaller(a, smaller(b, c)) * scales).store(item->low);
-    (larger(a, larger(b, c)) * scales).store(item->high);
-    item->id = std::uint32_t(i);
-    item->kind = LeafKind::meshTriangles;
-    ++item;
-  }
-  return item;
-}
-
-BuildItems itemsOf(const MeshGeometry& geometry, float scale, ThreadPool& pool) {
-  const std::size_t faces = geometry.faceCount();
-  BuildItems items(faces);
-  std::vector<std::size_t> counts(faces / kChunk + 1);
-  forEachChunk(pool, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    BuildItem* first = items.data() + begin;
-    counts[chunk] = std::size_t(appendItems(geometry, scale, begin, end, first) - first);
-  });
-  std::size_t count = 0;  // faces without area leave gaps, which are closed
-  for (std::size_t chunk = 0; chunk * kChunk < faces; ++chunk) {
-    const BuildItem* first = items.data() + chunk * kChunk;
-    if (count != chunk * kChunk) std::copy(first, first + counts[chunk], items.data() + count);
-    count += counts[chunk];
-  }
-  items.setCount(count);
-  return items;
-}
-
 }  // namespace
 
 MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geometry) {
@@ -163,8 +141,24 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     const float scale = scaleFor(boxOf(geometry.getVertices(), pool));
     bvh_.scale = scale;
     exact_ = scalesExactly(geometry.getVertices(), scale, pool);
-    buildWideBvh(bvh_, itemsOf(geometry, scale, pool), MeshLeafWriter(geometry, scale), pool);
+    Piles piles;
+    const MeshLeafWriter writer(geometry, scale, piles);
+    buildWideBvh(bvh_, meshItems(geometry, scale, pool), writer, pool);
+    if (piles.faces().size() < kPilesThatPay) return;
+    BuildItems items = meshItems(geometry, scale, pool);
+    copies_ = dropCopies(geometry, piles.faces(), items);
+    if (copies_.empty()) return;
+    bvh_ = {};
+    bvh_.scale = scale;
+    buildWideBvh(bvh_, std::move(items), writer, pool);
   });
+}
+
+const FaceCopies* MeshTree::copiesOf(std::uint32_t face) const {
+  const auto place =
+      std::lower_bound(copies_.begin(), copies_.end(), face,
+                       [](const FaceCopies& a, std::uint32_t b) { return a.face < b; });
+  return place != copies_.end() && place->face == face ? &*place : nullptr;
 }
 
 BoundingBox MeshTree::box() const {

@@ -1,9 +1,18 @@
 // MeshTree: the tree over one mesh's triangles, shared by all meshes of that geometry.
 #pragma once
+#include <vector>
+
 #include "accel/wide_bvh.h"
 #include "geometry/mesh_geometry.h"
 
 namespace accel {
+
+/// Faces with the very same corners, in the same order. All are hit at the same t, so the first
+/// stands for all; but it does not for a ray that leaves it, nor where crossings are counted.
+struct FaceCopies {
+  std::uint32_t face, next;  ///< the first two of them
+  std::uint32_t count;       ///< at least 2
+};
 
 class MeshTree {
  public:
@@ -21,11 +30,14 @@ class MeshTree {
     std::uint32_t face;
   };
   Triangle triangleAt(const std::uint32_t* words, int lane) const;
+  /// A face in the tree that has copies, which are not; null for other faces.
+  const FaceCopies* copiesOf(std::uint32_t face) const;
 
  private:
   const MeshGeometry* geometry_;  // not owned
   WideBvh bvh_;
-  bool exact_ = true;  // scaling lost no digit, so leaves hold the corners exactly
+  std::vector<FaceCopies> copies_;  // by face
+  bool exact_ = true;               // scaling lost no digit, so leaves hold the corners exactly
 };
 
 }  // namespace accel

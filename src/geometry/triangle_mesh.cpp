@@ -28,12 +28,13 @@ void TriangleMesh::setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, co
              {this, face, magnitudeOf(t, point, ray, triangle::extent(a, b, c))});
 }
 
-void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const {
+void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor,
+                             std::uint32_t count) const {
   const auto [a, b, c] = geometry_->corners(face);
   double t;
   bool leaving;
   if (!triangle::crosses(a, b, c, ray, t, leaving) || !(t > 0)) return;
-  visitor.visit({t, this, material_, geometry_->isClosed(), leaving});
+  visitor.visit({t, this, material_, geometry_->isClosed(), leaving, count});
 }
 
 bool TriangleMesh::intersect(const Ray& ray, Hit& hit, double tmin) const {

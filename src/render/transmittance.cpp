@@ -71,8 +71,9 @@ class ShadowRay : public CrossingVisitor {
   /// the ray's origin comes out right as well, and one that is inside out differs in sign.
   Filter filterOf(CrossingPlace first, CrossingPlace last) const {
     const Vec3f color = first->material->getTransparentColor();
-    if (!first->closed) return {color, double(last - first)};
-    double inside = 0;
+    double inside = 0, count = 0;
+    for (CrossingPlace c = first; c != last; ++c) count += c->count;
+    if (!first->closed) return {color, count};
     for (CrossingPlace c = first; c != last; ++c) {
       const double t = std::min(c->t, distance_);
       inside += c->leaving ? t : -t;
@@ -88,7 +89,7 @@ class ShadowRay : public CrossingVisitor {
     for (CrossingPlace c = last; c != first;) {
       --c;
       if (!c->closed) {
-        filters.push_back({colorAt(*c), 1});
+        filters.insert(filters.end(), c->count, {colorAt(*c), 1});
       } else if (begun.empty() || begun.back()->leaving == c->leaving) {
         begun.push_back(c);
       } else {

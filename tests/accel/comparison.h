@@ -60,7 +60,7 @@ class CrossingSet : public CrossingVisitor {
     std::sort(rows_.begin(), rows_.end());
   }
   void visit(const Crossing& c) override {
-    rows_.emplace_back(c.t, c.object, c.material, c.closed, c.leaving);
+    rows_.insert(rows_.end(), c.count, {c.t, c.object, c.material, c.closed, c.leaving});
   }
   bool operator==(const CrossingSet& other) const { return rows_ == other.rows_; }
   std::size_t size() const { return rows_.size(); }

@@ -1,5 +1,5 @@
-// Meshes of faces that are huge, far away, or of very different sizes: every answer is that of the
-// plain mesh, and small faces cost no more than they do alone.
+// Meshes of faces that are huge, far away, of very different sizes, or in one place: every answer
+// is that of the plain mesh, and other faces cost no more than they do alone.
 #include "comparison.h"
 #include "patience.h"
 #include "random_scene.h"
@@ -182,4 +182,46 @@ TEST("a huge, far or nested neighbour costs the faces of a ball no more tests") 
     expectAtMostTwice(costOf(far), cost);
     expectAtMostTwice(costOf(nested), cost);
   }
+}
+
+TEST("faces of equal corners answer as the plain mesh, to rays that leave one of them too") {
+  Parts parts;
+  parts.addBall(1, {0, 0, 0});
+  const std::vector<Vec3f> corners = {{-1, -1, 0.25f}, {1, -1, 0.5f}, {0, 1, 0.25f}};
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    // By turns the same, and turned; then another two.
+    const std::uint32_t turn = i < 150 ? i % 2 : 0;
+    const float higher = i < 200 ? 0.0f : i % 2 ? 0.5f : 0.75f;
+    std::vector<Vec3f> own;
+    for (const Vec3f& v : corners) own.push_back(v + Vec3f(0, 0, higher));
+    parts.add(MeshGeometry(own, {{turn, (turn + 1) % 3, (turn + 2) % 3}}), 1, {0, 0, 0});
+  }
+  expectAsPlain(parts, "equal", 4);
+
+  const MeshGeometry geometry = parts.geometry();
+  const PhongMaterial material = shapes::plainMaterial();
+  const TriangleMesh mesh(&geometry, &material);
+  Comparison comparison(mesh, "leaving");
+  Random random(5);
+  for (std::uint32_t face = 128; face < geometry.faceCount(); face += face < 140 ? 1 : 13) {
+    const Part& part = parts[int(face - 127)];
+    for (int i = 0; i < 10; ++i) {
+      Ray ray(part.target(random), random.unitVector());
+      ray.setSource(&mesh, face);
+      comparison.ask(ray, -1e-9, kInf);
+      comparison.ask(ray, 0, kInf);
+    }
+  }
+  CHECK_EQUAL(comparison.firstFailure(), "");
+}
+
+TEST("a thousand faces in one place cost what a few do") {
+  // A ray that meets the square is tested against two faces once and the ball as often as alone.
+  Parts few, many;
+  few.addGround(1, 0);
+  many.addGround(1, 0);
+  for (int i = 0; i < 500; ++i) many.addGround(1, 0);
+  few.addBall(1, {9, 0, 0});
+  many.addBall(1, {9, 0, 0});
+  expectAtMostTwice(costOf(many), costOf(few));
 }

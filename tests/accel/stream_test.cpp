@@ -25,7 +25,8 @@ class CrossingsOfRows : public RowCrossingVisitor {
  public:
   explicit CrossingsOfRows(std::size_t rows) : rows_(rows) {}
   void visit(int row, const Crossing& c) override {
-    rows_[std::size_t(row)].emplace_back(c.t, c.object, c.material, c.closed, c.leaving);
+    const CrossingSet::Row found = {c.t, c.object, c.material, c.closed, c.leaving};
+    rows_[std::size_t(row)].insert(rows_[std::size_t(row)].end(), c.count, found);
   }
   std::vector<CrossingSet::Row> sorted(std::size_t row) const {
     std::vector<CrossingSet::Row> crossings = rows_[row];

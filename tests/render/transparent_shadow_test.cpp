@@ -104,6 +104,22 @@ TEST("overlapping objects multiply each on its own") {
   checkLight(underGlass(2, kBall + other), 0, glass(2) * otherGlass(2));
 }
 
+TEST("each of 200 sheets of a mesh in one place multiplies once") {
+  // Clear glass, as a colour and as a texture of it.
+  std::string sheets = "v -9 5 -9\nv 9 5 -9\nv 0 5 9\n";
+  for (int i = 0; i < 200; ++i) sheets += "f 1 2 3\n";
+  std::string text =
+      underGlass(1, "TriangleMesh { obj_file " + scene_text::write(sheets, ".obj") + " }");
+  const std::string color = "0.5 0.25 1";
+  text.replace(text.find(color), color.size(), "0.99 0.98 1");
+  const Vec3d left(std::pow(0.99, 200), std::pow(0.98, 200), 1);
+  checkLight(text, 0.1, left);
+  const std::string opaque = "PhongMaterial { diffuseColor 0 0 0 } }";
+  text.replace(text.find(opaque), opaque.size(), "Noise { materialIndex 1 materialIndex 1 octaves 3 } }");
+  text.replace(text.find("MaterialIndex 1 Tri"), 15, "MaterialIndex 3");
+  checkLight(text, 0.1, left);
+}
+
 TEST("two balls of the same glass at the same place multiply twice") {
   checkLight(underGlass(2, std::string(kBall) + kBall), 0, glass(4));
 }

@@ -1,0 +1,32 @@
+// What the tree over a mesh is built of.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "accel/bvh_builder.h"
+#include "accel/mesh_tree.h"
+#include "accel/thread_pool.h"
+#include "geometry/mesh_geometry.h"
+
+namespace accel {
+
+/// The boxes of all faces that have an area, by rising numbers, times `scale`.
+BuildItems meshItems(const MeshGeometry& geometry, float scale, ThreadPool& pool);
+
+/// Of all faces that have the same corners as one of `faces`, takes all but the first out of
+/// `items`, which are as meshItems gives them. Returns those that have copies, sorted by face.
+std::vector<FaceCopies> dropCopies(const MeshGeometry& geometry,
+                                   const std::vector<std::uint32_t>& faces, BuildItems& items);
+
+/// Meshes are gone over in chunks of so many faces or vertices.
+constexpr std::size_t kFacesPerChunk = 32768;
+
+/// Calls work(chunk, begin, end) for chunks of [0, count).
+template <class Work>
+void forEachChunk(ThreadPool& pool, std::size_t count, const Work& work) {
+  pool.forEachIndex((count + kFacesPerChunk - 1) / kFacesPerChunk, [&](std::size_t chunk) {
+    work(chunk, chunk * kFacesPerChunk, std::min(count, (chunk + 1) * kFacesPerChunk));
+  });
+}
+
+}  // namespace accel
