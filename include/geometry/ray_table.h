@@ -136,3 +136,19 @@ class BatchGeometry {
   /// The instruction set that it uses, one that the processor has.
   virtual SimdLevel simdLevel() const = 0;
 };
+
+/// Answers many rays through an Object3D's own functions, one after the other.
+class RayByRay : public BatchGeometry {
+ public:
+  /// Not owned.
+  explicit RayByRay(const Object3D& geometry) : geometry_(&geometry) {}
+
+  void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const override;
+  void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const override;
+  void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
+                         Arena& arena) const override;
+  SimdLevel simdLevel() const override { return availableSimd(SimdLevel::automatic); }
+
+ private:
+  const Object3D* geometry_;
+};

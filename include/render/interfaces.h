@@ -11,6 +11,7 @@
 #include "render/surface.h"
 
 class Media;
+struct ColorFilter;
 
 class Interfaces {
  public:
@@ -23,17 +24,13 @@ class Interfaces {
   /// that is not null. Where nothing is found, `hit` is as it was.
   bool intersect(const Ray& ray, double tmin, Hit& hit, Interface& interface,
                  std::vector<Hit>* passed = nullptr) const;
-  /// The second half: `hit` is the nearest surface with t < tmax.
-  bool examine(const Ray& ray, double tmax, Hit& hit, Interface& interface,
-               std::vector<Hit>* passed = nullptr) const;
+  /// The same for all rays of a table, whose tmax is infinite: in `hits` and rays.tmax is stored
+  /// what they meet, in found[row] what lies on both sides of it. `batches` answers as the geometry
+  /// does.
+  void intersectAll(const BatchGeometry& batches, const RayTable& rays, HitTable& hits,
+                    Interface* found, Arena& arena) const;
 
-  /// The same for all rays of a table, in which tmax is the t of the nearest surface: stores in
-  /// found[row] what lies on both sides; where there is no surface after all, the row of `hits`
-  /// has none. `batches`, which may be null, answers as the geometry does.
-  void examineAll(const BatchGeometry* batches, const RayTable& rays, HitTable& hits,
-                  Interface* found, Arena& arena) const;
-
-  /// True where every interface is plain: examine would only call plainInterface.
+  /// True where every interface is plain: intersect would only call plainInterface.
   bool arePlain() const { return !tracksMedia_; }
   /// Index 1 on one side and the material's own on the other.
   /// `approach` is n.v, below 0 where the ray comes from outside.
@@ -43,11 +40,12 @@ class Interfaces {
   }
 
  private:
+  class Walk;
+
   bool dependsOnMedia(const Hit& hit) const;
   double reachOf(const Hit& hit) const;
-  bool walk(const Ray& ray, double tmax, const Media& media, double start, Hit& hit,
-            Interface& interface, std::vector<Hit>* passed) const;
-  bool isThere(const Media& media, double start, const Hit& hit, Interface& interface) const;
+  bool isThere(const Media& media, double start, const Hit& hit, Interface& interface,
+               std::vector<ColorFilter>& filters) const;
 
   const SolidObjects* solids_;  // not owned; null where nobody has listed them
   const Object3D* geometry_;    // not owned

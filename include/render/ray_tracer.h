@@ -32,8 +32,6 @@ class RayTracer {
 
   /// What of a light's colour arrives at the surface: 0..1 in each component.
   Vec3f visibility(const Surface& s, const LightSample& light) const;
-  /// The same, where shadows are cast, of the light that a shadow ray looks for.
-  Vec3f visibility(const ShadowQuery& query) const;
 
  protected:  // each step on its own, so that a WatchedTracer can tell of it
   virtual bool meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const;

@@ -51,8 +51,11 @@ class WaveTracer {
   void reflect(const MaterialGroup& group, const WaveGeneration& generation, const WaveLight& light,
                const RowList& rows, const WaveSurfaces& surfaces) const;
 
+  const BatchGeometry& batches() const { return batches_ ? *batches_ : rayByRay_; }
+
   const RayTracer& tracer_;       // not owned
-  const BatchGeometry* batches_;  // the tracer's geometry; null where it is asked ray by ray
+  const RayByRay rayByRay_;       // the tracer's geometry
+  const BatchGeometry* batches_;  // the same, where it answers many rays itself; else null
   RayCounts* counts_;             // not owned; may be null
   const WaveKernels& kernels_;
   const bool hasSources_;

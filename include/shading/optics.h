@@ -10,6 +10,7 @@
 // and the energy is the mean of their squares, since unpolarised light is half of each. A g^2 that
 // is not above 0 means that no ray goes in: total reflection.
 #pragma once
+#include "math/functions.h"
 #include "math/vec3.h"
 
 /// The direction in which a mirror with unit normal `normal` sends a ray that arrives along
@@ -68,6 +69,13 @@ Vec3<Number> schlickReflectance(const Plain<Number>& cosine,
                                 const Vec3<Number>& normalReflectance) {
   const Number x = larger(Number(0), 1 - cosine), rise = x * x * (x * x) * x;
   return normalReflectance + (Vec3<Number>(1, 1, 1) - normalReflectance) * rise;
+}
+
+/// What is left of light after a way of `length` >= 0 through what leaves `color` of it after a
+/// length of 1: color^length, a negative colour taken as 0. Source: Beer's law.
+template <class Number>
+Number absorption(const Number& color, const Plain<Number>& length) {
+  return math::pow(larger(color, Number(0)), length);
 }
 
 /// The reflectance of a surface, known by its index of refraction or by its colour.

@@ -66,3 +66,25 @@ void HitTable::setRow(int row, const Hit& hit, std::uint32_t place) {
   setRowOf(normal, row, hit.getNormal());
   setRowOf(point, row, hit.getIntersectionPoint());
 }
+
+void RayByRay::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const {
+  for (int row = 0; row < rays.count; ++row) {
+    Hit hit(rays.tmax[row]);
+    if (!geometry_->intersect(rays.rayOf(row), hit, rays.tmin[row])) continue;
+    rays.tmax[row] = hit.getT();
+    hits.setRow(row, hit, 0);
+  }
+}
+
+void RayByRay::occludedAll(const RayTable& rays, bool* blocked, Arena&) const {
+  for (int row = 0; row < rays.count; ++row) {
+    blocked[row] = geometry_->occluded(rays.rayOf(row), rays.tmin[row], rays.tmax[row]);
+  }
+}
+
+void RayByRay::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor, Arena&) const {
+  for (int row = 0; row < rays.count; ++row) {
+    CrossingsOfRow crossings(row, visitor);
+    geometry_->visitCrossings(rays.rayOf(row), crossings);
+  }
+}

@@ -3,13 +3,17 @@
 // For a hit that may depend on other objects, one line through the scene, beginning just before the
 // hit, is asked for all its crossings (Media). What fills the line just before and just behind the
 // hit are the two sides. Where both are the inside of one object, the surface is not there, and the
-// walk goes on behind it with the same Media.
+// ray is asked again for what lies behind it; its line stays the same.
+// Rays of a table take each of these steps together.
 #include "render/interfaces.h"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 #include "render/media.h"
 #include "render/transmittance.h"
+#include "render/wave_kernels.h"
 
 namespace {
 
@@ -24,6 +28,20 @@ Interface::Side sideOf(const Media::Medium& medium, const Hit& hit) {
   return {medium.object == hit.getObject(), medium.indexAt(hit.getIntersectionPoint())};
 }
 
+double approachOf(const Ray& ray, const Hit& hit) {
+  return dot(hit.getNormal(), ray.getDirection());
+}
+
+/// The product, in an order that does not depend on the order of visits.
+Vec3f productOf(std::vector<Vec3f>& tints) {
+  std::sort(tints.begin(), tints.end(), [](const Vec3f& a, const Vec3f& b) {
+    return std::make_tuple(a.r(), a.g(), a.b()) < std::make_tuple(b.r(), b.g(), b.b());
+  });
+  Vec3f product(1, 1, 1);
+  for (const Vec3f& tint : tints) product *= tint;
+  return product;
+}
+
 }  // namespace
 
 Interfaces::Interfaces(const SceneParser& scene, const Object3D& geometry, const Shader& shader)
@@ -36,81 +54,149 @@ Interfaces::Interfaces(const SceneParser& scene, const Object3D& geometry, const
 bool Interfaces::intersect(const Ray& ray, double tmin, Hit& hit, Interface& interface,
                            std::vector<Hit>* passed) const {
   const double tmax = hit.getT();
-  return geometry_->intersect(ray, hit, tmin) && examine(ray, tmax, hit, interface, passed);
-}
-
-bool Interfaces::examine(const Ray& ray, double tmax, Hit& hit, Interface& interface,
-                         std::vector<Hit>* passed) const {
-  interface = plainInterface(dot(hit.getNormal(), ray.getDirection()));
-  if (!tracksMedia_ || !dependsOnMedia(hit)) return true;
-  const double start = hit.getT() - reachOf(hit);
-  Media media(solids_);
-  geometry_->visitCrossings(Ray(ray.pointAtParameter(start), ray.getDirection()), media);
-  media.finish();
-  return walk(ray, tmax, media, start, hit, interface, passed);
-}
-
-/// The lines of all rays that depend on media are asked for their crossings together.
-void Interfaces::examineAll(const BatchGeometry* batches, const RayTable& rays, HitTable& hits,
-                            Interface* found, Arena& arena) const {
-  const Arena::Frame frame(arena);
-  RayTable lines(arena, rays.count, false);
-  lines.count = 0;
-  auto* rows = arena.take<std::uint16_t>(std::size_t(rays.count));
-  struct MediaOfRows : RowCrossingVisitor {
-    std::vector<Media> rows;
-    void visit(int row, const Crossing& crossing) override {
-      rows[std::size_t(row)].visit(crossing);
+  std::optional<Media> media;
+  double start = 0;  // of the line, on the ray
+  for (; geometry_->intersect(ray, hit, tmin); hit = Hit(tmax)) {
+    interface = plainInterface(approachOf(ray, hit));
+    if (!tracksMedia_ || !dependsOnMedia(hit)) return true;
+    if (!media) {
+      media.emplace(solids_);
+      start = hit.getT() - reachOf(hit);
+      geometry_->visitCrossings(Ray(ray.pointAtParameter(start), ray.getDirection()), *media);
+      media->finish();
     }
-  } media;
-  const auto finish = [&](int row, Hit& hit, bool isThere) {
-    rays.tmax[row] = hit.getT();
-    hits.setRow(row, hit, isThere ? hits.order[row] : NearestSoFar::kNothing);
-  };
-  for (int row = 0; row < rays.count; ++row) {
-    if (!hits.isFound(row)) continue;
-    const Ray ray = rays.rayOf(row);
-    Hit hit = hits.hitOf(row, rays.tmax[row]);
-    if (!batches) {
-      finish(row, hit, examine(ray, Hit().getT(), hit, found[row]));
-      continue;
+    std::vector<ColorFilter> filters;
+    if (isThere(*media, start, hit, interface, filters)) {
+      std::vector<Vec3f> tints;
+      for (const ColorFilter& filter : filters) tints.push_back(filter.tint());
+      interface.tint = productOf(tints);
+      return true;
     }
-    found[row] = plainInterface(dot(hit.getNormal(), ray.getDirection()));
-    if (!dependsOnMedia(hit)) continue;
-    lines.tmin[lines.count] = hit.getT() - reachOf(hit);  // where the line starts on the ray
-    const Vec3d origin = ray.pointAtParameter(lines.tmin[lines.count]);
-    for (int axis = 0; axis < 3; ++axis) {
-      lines.origin[axis][lines.count] = origin[axis];
-      lines.direction[axis][lines.count] = ray.getDirection()[axis];
-    }
-    rows[lines.count++] = std::uint16_t(row);
-    media.rows.emplace_back(solids_);
-  }
-  if (lines.count == 0) return;
-  batches->visitAllCrossings(lines, media, arena);
-  for (int k = 0; k < lines.count; ++k) {
-    const int row = rows[k];
-    Hit hit = hits.hitOf(row, rays.tmax[row]);
-    media.rows[std::size_t(k)].finish();
-    finish(row, hit,
-           walk(rays.rayOf(row), Hit().getT(), media.rows[std::size_t(k)], lines.tmin[k], hit,
-                found[row], nullptr));
-  }
-}
-
-/// Goes on from `hit`, which depends on the media along the ray, until a surface is there. Their
-/// line begins at parameter `start`.
-bool Interfaces::walk(const Ray& ray, double tmax, const Media& media, double start, Hit& hit,
-                      Interface& interface, std::vector<Hit>* passed) const {
-  while (dependsOnMedia(hit) && !isThere(media, start, hit, interface)) {
     if (passed) passed->push_back(hit);
-    Hit next(tmax);
-    const bool isFound = geometry_->intersect(ray, next, hit.getT());
-    hit = next;
-    if (!isFound) return false;
-    interface = plainInterface(dot(hit.getNormal(), ray.getDirection()));
+    tmin = hit.getT();
   }
-  return true;
+  return false;
+}
+
+/// The rays of a table on their way: line `k` belongs to ray rows_[k].
+class Interfaces::Walk {
+ public:
+  Walk(const Interfaces& interfaces, const BatchGeometry& batches, const RayTable& rays,
+       HitTable& hits, Interface* found, Arena& arena)
+      : interfaces_(interfaces),
+        batches_(batches),
+        rays_(rays),
+        hits_(hits),
+        found_(found),
+        arena_(arena),
+        lines_(arena, rays.count, false),
+        rows_(arena.take<std::uint16_t>(std::size_t(rays.count))),
+        open_(arena.take<std::uint16_t>(std::size_t(rays.count))),
+        media_(interfaces.solids_) {
+    lines_.count = 0;
+  }
+
+  void run() {
+    for (int row = 0; row < rays_.count; ++row) {
+      if (hits_.isFound(row) && dependsOnMedia(row)) addLine(row);
+    }
+    if (lines_.count == 0) return;
+    CrossingTable crossings(lines_.count);
+    batches_.visitAllCrossings(lines_, crossings, arena_);
+    ColorFilterTable filters(arena_, crossings.size());
+    for (openCount_ = lines_.count; openCount_ > 0; goOn()) keepHidden(crossings, filters);
+    setTints(filters);
+  }
+
+ private:
+  Hit hitOf(int row) const { return hits_.hitOf(row, rays_.tmax[row]); }
+
+  /// Whether more than the surface's own medium counts at what ray `row` has met; at first that
+  /// alone is stored.
+  bool dependsOnMedia(int row) {
+    const Hit hit = hitOf(row);
+    found_[row] = plainInterface(dot(hit.getNormal(), rays_.directionOf(row)));
+    return interfaces_.dependsOnMedia(hit);
+  }
+  /// The line of ray `row` stands in lines_; its tmin tells where on the ray it starts.
+  void addLine(int row) {
+    const Hit hit = hitOf(row);
+    const Ray ray = rays_.rayOf(row);
+    const double start = hit.getT() - interfaces_.reachOf(hit);
+    lines_.setRow(lines_.count, Ray(ray.pointAtParameter(start), ray.getDirection()), start, 0);
+    open_[lines_.count] = std::uint16_t(lines_.count);
+    rows_[lines_.count++] = std::uint16_t(row);
+  }
+
+  /// Finds what lies on both sides of what the open lines have met; those stay open on which it is
+  /// not there.
+  void keepHidden(const CrossingTable& crossings, ColorFilterTable& filters) {
+    int count = 0;
+    for (int k = 0; k < openCount_; ++k) {
+      const int line = open_[k], row = rows_[line];
+      media_.begin();
+      crossings.tell(line, media_);
+      media_.finish();
+      ofOne_.clear();
+      if (!interfaces_.isThere(media_, lines_.tmin[line], hitOf(row), found_[row], ofOne_)) {
+        open_[count++] = std::uint16_t(line);
+      } else {
+        for (const ColorFilter& filter : ofOne_) filters.add(filter, row);
+      }
+    }
+    openCount_ = count;
+  }
+
+  /// Finds what the rays of open lines meet next; those stay open where that depends on media.
+  void goOn() {
+    const Arena::Frame frame(arena_);
+    RayTable next(arena_, openCount_, rays_.source != nullptr);
+    HitTable hits(arena_, openCount_);
+    for (int k = 0; k < openCount_; ++k) {
+      const int row = rows_[open_[k]];
+      next.setRow(k, rays_.rayOf(row), rays_.tmax[row], Hit().getT());
+    }
+    batches_.intersectAll(next, hits, arena_);
+    int count = 0;
+    for (int k = 0; k < openCount_; ++k) {
+      const int row = rows_[open_[k]];
+      rays_.tmax[row] = next.tmax[k];
+      hits_.setRow(row, hits.hitOf(k, next.tmax[k]), hits.order[k]);
+      if (hits_.isFound(row) && dependsOnMedia(row)) open_[count++] = open_[k];
+    }
+    openCount_ = count;
+  }
+
+  void setTints(const ColorFilterTable& filters) {
+    waveKernels(batches_.simdLevel()).absorb(filters);
+    for (int k = 0; k < filters.count;) {
+      const int row = filters.row[k];
+      std::vector<Vec3f> tints;
+      for (; k < filters.count && filters.row[k] == row; ++k) {
+        tints.emplace_back(rowOf(filters.color, k));
+      }
+      found_[row].tint = productOf(tints);
+    }
+  }
+
+  const Interfaces& interfaces_;
+  const BatchGeometry& batches_;
+  const RayTable& rays_;
+  HitTable& hits_;
+  Interface* const found_;
+  Arena& arena_;
+  RayTable lines_;
+  std::uint16_t *const rows_, *const open_;
+  int openCount_ = 0;
+  Media media_;                     // of one line after the other
+  std::vector<ColorFilter> ofOne_;  // likewise
+};
+
+void Interfaces::intersectAll(const BatchGeometry& batches, const RayTable& rays, HitTable& hits,
+                              Interface* found, Arena& arena) const {
+  batches.intersectAll(rays, hits, arena);
+  const Arena::Frame frame(arena);
+  Walk(*this, batches, rays, hits, found, arena).run();
 }
 
 /// Whether `hit` asks for all that lies along the ray. What is far from all solids has air around.
@@ -127,22 +213,22 @@ double Interfaces::reachOf(const Hit& hit) const {
                   hit.getMagnitude() * Shader::kRounding);
 }
 
-/// Fills in `interface` from the media along the ray, whose parameter is `start` where `media`
-/// begins. False where the surface hit changes nothing: the medium before and behind is the same.
-bool Interfaces::isThere(const Media& media, double start, const Hit& hit,
-                         Interface& interface) const {
+/// Fills in `interface`, but for its tint, from the media along the ray, whose parameter is `start`
+/// where `media` begins; the filters that make the tint are appended. False where the surface hit
+/// changes nothing: the medium before and behind is the same.
+bool Interfaces::isThere(const Media& media, double start, const Hit& hit, Interface& interface,
+                         std::vector<ColorFilter>& filters) const {
   const RenderOptions& options = shader_->options();
   const double t = hit.getT() - start, reach = reachOf(hit);
   const double length = std::max(hit.getT(), 0.0);  // of the way here
   interface.isClosed = media.isClosed(hit.getObject());
   if (!options.nestedDielectrics) {
-    interface.tint = media.tintOfAll(t - reach, hit.getIntersectionPoint(), length);
+    media.addFilters(t - reach, hit.getIntersectionPoint(), length, filters);
     return true;
   }
   const Media::Medium before = media.mediumAt(t - reach), behind = media.mediumAt(t + reach);
   if (options.fresnel && before.material) {
-    const Vec3f color = transparencyAt(*before.material, hit.getIntersectionPoint());
-    interface.tint = absorption(color, length);
+    filters.push_back({transparencyAt(*before.material, hit.getIntersectionPoint()), length});
   }
   if (!interface.isClosed) return true;
   interface.before = sideOf(before, hit);

@@ -11,7 +11,7 @@
 #include "scene/solid_objects.h"
 #include "shading/material.h"
 
-class Media : public CrossingVisitor {
+class Media final : public CrossingVisitor {
  public:
   /// What fills a place; both are null outside of all objects. Not owned.
   struct Medium {
@@ -23,10 +23,12 @@ class Media : public CrossingVisitor {
     float indexAt(const Vec3d& point) const;
   };
 
-  /// Along a line whose direction is a unit vector. It is told all crossings at t > 0, then
-  /// finish() is called, and then it knows. `solids`, not owned, tells volumes; where it is null
-  /// they count as equal. Time n log n and memory n for n crossings.
+  /// Along a line whose direction is a unit vector. After begin() it is told all crossings at
+  /// t > 0, then finish() is called, and then it knows. `solids`, not owned, tells volumes; where
+  /// it is null they count as equal. Time n log n and memory n for n crossings; each question takes
+  /// time n.
   explicit Media(const SolidObjects* solids) : solids_(solids) {}
+  void begin() { crossings_.clear(); }
   void visit(const Crossing& crossing) override;
   void finish();
 
@@ -40,28 +42,24 @@ class Media : public CrossingVisitor {
   /// True when the line meets `object`, and it is closed and transparent.
   bool isClosed(const Object3D* object) const;
 
-  /// What is left of light after `length` >= 0 around parameter t, where no surface is near: the
-  /// product of transparentColor^length over all objects around, each on its own. A texture has its
-  /// colour of the point `end` all the way.
-  Vec3f tintOfAll(double t, const Vec3d& end, double length) const;
+  /// Appends a filter for each object around parameter t, where no surface is near, as often as the
+  /// line is inside it: what dims light on a way of `length` >= 0 that ends at point `end`. A
+  /// texture has its colour of that point all the way.
+  void addFilters(double t, const Vec3d& end, double length,
+                  std::vector<ColorFilter>& filters) const;
 
  private:
   /// A stretch of the line inside one object.
   struct Stay {
     Medium medium;
-    double volume, from, to;
-  };
-  /// From t = `from` on, up to the next layer, `medium` fills the line.
-  struct Layer {
-    double from;
-    Medium medium;
+    double from, to;
   };
 
-  std::vector<Stay> staysIn(CrossingPlace first, CrossingPlace last) const;
-  static bool isStronger(const Stay& a, const Stay& b);
-  void findLayers(const std::vector<Stay>& stays);
+  void addStays(CrossingPlace first, CrossingPlace last);
+  bool isStronger(const Stay& a, const Stay& b) const;
+  double volumeOf(const Stay& stay) const;
 
   const SolidObjects* solids_;       // not owned; may be null
   std::vector<Crossing> crossings_;  // of closed transparent objects, by object and then by t
-  std::vector<Layer> layers_;        // in ascending order; outside before the first
+  std::vector<Stay> stays_;
 };

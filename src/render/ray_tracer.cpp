@@ -87,10 +87,6 @@ Vec3f RayTracer::visibility(const Surface& s, const LightSample& light) const {
   if (!shader_.options().shadows) return {1, 1, 1};
   ShadowQuery query;
   shader_.setShadowQuery(s, light, query);
-  return visibility(query);
-}
-
-Vec3f RayTracer::visibility(const ShadowQuery& query) const {
   if (shader_.options().transparentShadows) {
     return transmittance(*geometry_, query.ray, query.tmin, query.tmax);
   }

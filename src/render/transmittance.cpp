@@ -14,26 +14,31 @@
 #include <functional>
 #include <tuple>
 
-#include "math/functions.h"
+#include "render/wave_kernels.h"
+#include "shading/optics.h"
 #include "shading/solid_texture.h"
 
 namespace {
 
-/// One object's share in the light: its colour to the power `exponent`.
-struct Filter {
-  Vec3f color;
-  double exponent;  // length inside a closed object, number of crossings of an open one
-};
-
-bool filterLess(const Filter& a, const Filter& b) {
+bool filterLess(const ColorFilter& a, const ColorFilter& b) {
   return std::make_tuple(a.exponent, a.color.r(), a.color.g(), a.color.b()) <
          std::make_tuple(b.exponent, b.color.r(), b.color.g(), b.color.b());
 }
 
-class ShadowRay : public CrossingVisitor {
+/// As many are computed together: enough for vectors, and they stay in the processor's first cache.
+constexpr int kMostFilters = 256;
+
+/// Finds the filters in the way of one shadow ray after the other.
+class ShadowFilters final : public CrossingVisitor {
  public:
-  ShadowRay(const Ray& ray, double epsilon, double distance)
-      : ray_(ray), epsilon_(epsilon), distance_(distance) {}
+  /// The crossings of another ray follow.
+  void begin(const Ray& ray, double epsilon, double distance) {
+    ray_ = ray;
+    epsilon_ = epsilon;
+    distance_ = distance;
+    blocked_ = false;
+    crossings_.clear();
+  }
 
   void visit(const Crossing& crossing) override {
     const bool between = crossing.t > epsilon_ && crossing.t < distance_;
@@ -47,29 +52,29 @@ class ShadowRay : public CrossingVisitor {
     }
   }
 
-  Vec3f result() {
-    if (blocked_) return Vec3f();
+  bool isBlocked() const { return blocked_; }
+
+  /// In the order in which they are to be multiplied; valid until the next ray begins.
+  const std::vector<ColorFilter>& filters() {
+    filters_.clear();
     // Sums and products are taken in an order that does not depend on the order of visits.
     sortByObject(crossings_);
-    std::vector<Filter> filters;
     forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {
       if (first->material->asTexture()) {
-        addTextured(first, last, filters);
+        addTextured(first, last);
       } else {
-        filters.push_back(filterOf(first, last));
+        filters_.push_back(filterOf(first, last));
       }
     });
-    std::sort(filters.begin(), filters.end(), filterLess);
-    Vec3f product(1, 1, 1);
-    for (const Filter& filter : filters) product *= absorption(filter.color, filter.exponent);
-    return product;
+    std::sort(filters_.begin(), filters_.end(), filterLess);
+    return filters_;
   }
 
  private:
   /// The crossings of one object. The length inside is the sum of the places where the ray leaves
   /// less those where it enters, none counted beyond the light: an object that holds the light or
   /// the ray's origin comes out right as well, and one that is inside out differs in sign.
-  Filter filterOf(CrossingPlace first, CrossingPlace last) const {
+  ColorFilter filterOf(CrossingPlace first, CrossingPlace last) const {
     const Vec3f color = first->material->getTransparentColor();
     double inside = 0, count = 0;
     for (CrossingPlace c = first; c != last; ++c) count += c->count;
@@ -84,30 +89,30 @@ class ShadowRay : public CrossingVisitor {
   /// The crossings of one textured object: a filter for each stretch of the way inside it, or for
   /// each crossing where it is open. From the light's end of the ray on, a surface that the light
   /// leaves by ends the stretch that began last.
-  void addTextured(CrossingPlace first, CrossingPlace last, std::vector<Filter>& filters) const {
+  void addTextured(CrossingPlace first, CrossingPlace last) {
     std::vector<CrossingPlace> begun;
     for (CrossingPlace c = last; c != first;) {
       --c;
       if (!c->closed) {
-        filters.insert(filters.end(), c->count, {colorAt(*c), 1});
+          filters_.insert(filters_.end(), c->count, {colorAt(*c), 1});
       } else if (begun.empty() || begun.back()->leaving == c->leaving) {
         begun.push_back(c);
       } else {
-        addStretch(&*c, *begun.back(), filters);
+        addStretch(&*c, *begun.back());
         begun.pop_back();
       }
     }
-    for (const CrossingPlace c : begun) addStretch(nullptr, *c, filters);
+    for (const CrossingPlace c : begun) addStretch(nullptr, *c);
   }
 
   /// The stretch between `near` (null where the ray begins inside) and `far`. Its colour is that of
   /// the place where the light enters, or where it leaves if the lamp is inside; where both ends
   /// of the way are inside, that of the surface behind the lamp. An opaque place filters nothing:
   /// that it does not block has been found out before.
-  void addStretch(const Crossing* near, const Crossing& far, std::vector<Filter>& filters) const {
+  void addStretch(const Crossing* near, const Crossing& far) {
     const double start = near ? std::min(near->t, distance_) : 0;
     const Vec3f color = colorAt(far.t < distance_ || !near ? far : *near);
-    if (anyPositive(color)) filters.push_back({color, std::min(far.t, distance_) - start});
+    if (anyPositive(color)) filters_.push_back({color, std::min(far.t, distance_) - start});
   }
 
   Vec3f colorAt(const Crossing& crossing) const {
@@ -116,8 +121,9 @@ class ShadowRay : public CrossingVisitor {
 
   Ray ray_;
   double epsilon_, distance_;
-  bool blocked_ = false;
+  bool blocked_;
   std::vector<Crossing> crossings_;
+  std::vector<ColorFilter> filters_;
 };
 
 /// Keeps the nearest crossing of a shadow ray with a surface that is opaque there.
@@ -151,34 +157,47 @@ Vec3f transparencyAt(const Material& material, const Vec3d& point) {
   return Vec3f(sum);
 }
 
+Vec3f ColorFilter::tint() const {
+  const Vec3d base(color);
+  return {float(absorption(base.x(), exponent)), float(absorption(base.y(), exponent)),
+          float(absorption(base.z(), exponent))};
+}
+
 Vec3f transmittance(const Object3D& geometry, const Ray& ray, double epsilon, double distance) {
-  ShadowRay visitor(ray, epsilon, distance);
-  geometry.visitCrossings(ray, visitor);
-  return visitor.result();
+  ShadowFilters shadow;
+  shadow.begin(ray, epsilon, distance);
+  geometry.visitCrossings(ray, shadow);
+  if (shadow.isBlocked()) return Vec3f();
+  Vec3f product(1, 1, 1);
+  for (const ColorFilter& filter : shadow.filters()) product *= filter.tint();
+  return product;
 }
 
 void transmittances(const BatchGeometry& geometry, const RayTable& rays, Arena& arena,
                     Vec3f* visible) {
-  struct ShadowRays : RowCrossingVisitor {
-    std::vector<ShadowRay> rows;
-    void visit(int row, const Crossing& crossing) override {
-      rows[std::size_t(row)].visit(crossing);
+  CrossingTable crossings(rays.count);
+  geometry.visitAllCrossings(rays, crossings, arena);
+  const Arena::Frame frame(arena);
+  ColorFilterTable filters(arena, kMostFilters);
+  const auto multiply = [&] {
+    waveKernels(geometry.simdLevel()).absorb(filters);
+    for (int k = 0; k < filters.count; ++k) {
+      visible[filters.row[k]] *= Vec3f(rowOf(filters.color, k));
     }
-  } shadows;
-  shadows.rows.reserve(std::size_t(rays.count));
+    filters.count = 0;
+  };
+  ShadowFilters shadow;
   for (int row = 0; row < rays.count; ++row) {
-    shadows.rows.emplace_back(rays.rayOf(row), rays.tmin[row], rays.tmax[row]);
+    shadow.begin(rays.rayOf(row), rays.tmin[row], rays.tmax[row]);
+    crossings.tell(row, shadow);
+    visible[row] = shadow.isBlocked() ? Vec3f() : Vec3f(1, 1, 1);
+    if (shadow.isBlocked()) continue;
+    for (const ColorFilter& filter : shadow.filters()) {
+      if (filters.count == kMostFilters) multiply();
+      filters.add(filter, row);
+    }
   }
-  geometry.visitAllCrossings(rays, shadows, arena);
-  for (ShadowRay& ray : shadows.rows) *visible++ = ray.result();
-}
-
-Vec3f absorption(const Vec3f& transparentColor, double length) {
-  Vec3f result;
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = float(math::pow(double(std::max(transparentColor[axis], 0.0f)), length));
-  }
-  return result;
+  multiply();
 }
 
 std::optional<Blocker> findBlocker(const Object3D& geometry, const ShadowQuery& query,

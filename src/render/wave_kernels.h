@@ -58,6 +58,8 @@ struct WaveKernels {
   /// in the list, and returns how many there are.
   int (*refract)(const RefractionNumbers& material, const LeavingRays& leaving,
                  std::uint16_t* places);
+  /// Each filter's colour becomes its tint, ColorFilter::tint.
+  void (*absorb)(const ColorFilterTable& filters);
 };
 
 WaveKernels baselineWaveKernels();

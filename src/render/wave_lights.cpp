@@ -98,21 +98,15 @@ RowList WaveTracer::findVisible(WaveLight& light) {
   if (!options.shadows) return RowList::all(light.count, arena_);
   auto* rows = arena_.take<std::uint16_t>(std::size_t(light.count));
   int count = 0;
-  if (batches_ && !options.transparentShadows) {
+  if (!options.transparentShadows) {
     auto* blocked = arena_.take<bool>(std::size_t(light.count));
-    batches_->occludedAll(light, blocked, arena_);
+    batches().occludedAll(light, blocked, arena_);
     for (int row = 0; row < light.count; ++row) {
       if (!blocked[row]) rows[count++] = std::uint16_t(row);
     }
   } else {
     auto* visible = arena_.take<Vec3f>(std::size_t(light.count));
-    if (batches_) {
-      transmittances(*batches_, light, arena_, visible);
-    } else {
-      for (int row = 0; row < light.count; ++row) {
-        visible[row] = tracer_.visibility({light.rayOf(row), light.tmin[row], light.tmax[row]});
-      }
-    }
+    transmittances(batches(), light, arena_, visible);
     for (int row = 0; row < light.count; ++row) {
       if (visible[row] == Vec3f()) continue;
       setRowOf(light.color, row, Vec3f(rowOf(light.color, row)) * visible[row]);

@@ -61,6 +61,18 @@ WaveLight::WaveLight(Arena& arena, int rows, bool hasSources) : RayTable(arena, 
   takeColumns(arena, rows, {&color});
 }
 
+ColorFilterTable::ColorFilterTable(Arena& arena, int rows) {
+  row = arena.take<std::uint16_t>(std::size_t(rows));
+  exponent = arena.take<double>(std::size_t(rows));
+  takeColumns(arena, rows, {&color});
+}
+
+void ColorFilterTable::add(const ColorFilter& filter, int ofRow) {
+  row[count] = std::uint16_t(ofRow);
+  setRowOf(color, count, Vec3d(filter.color));
+  exponent[count++] = filter.exponent;
+}
+
 WaveSurfaces::WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* met, int rows,
                            Arena& arena)
     : count(rows) {

@@ -5,6 +5,7 @@
 
 #include "geometry/ray_table.h"
 #include "render/interfaces.h"
+#include "render/transmittance.h"
 
 /// Rays that have made the same number of bounces. Row i continues surface parent[i] of the
 /// generation before; an eye ray continues none.
@@ -79,6 +80,18 @@ struct WaveLight : RayTable {
 
   /// Room for `rows` rays, none of which is there yet.
   WaveLight(Arena& arena, int rows, bool hasSources);
+};
+
+/// Filters in the ways of rays.
+struct ColorFilterTable {
+  int count = 0;
+  std::uint16_t* row;  ///< of the ray; those of a ray stand together
+  double* color[3];    ///< each a float
+  double* exponent;
+
+  /// Room for `rows` filters, none of which is there yet.
+  ColorFilterTable(Arena& arena, int rows);
+  void add(const ColorFilter& filter, int ofRow);
 };
 
 /// Row `row` of three columns.

@@ -181,9 +181,10 @@ class WaveTracer::Branches {
 
 WaveTracer::WaveTracer(const RayTracer& tracer, RayCounts* counts)
     : tracer_(tracer),
+      rayByRay_(tracer.geometry()),
       batches_(dynamic_cast<const BatchGeometry*>(&tracer.geometry())),
       counts_(counts),
-      kernels_(waveKernels(batches_ ? batches_->simdLevel() : availableSimd(SimdLevel::automatic))),
+      kernels_(waveKernels(batches().simdLevel())),
       hasSources_(tracer.shader().options().epsilon.kind == Epsilon::Kind::adaptive) {}
 
 void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* colors) {
@@ -240,22 +241,14 @@ void WaveTracer::intersect(WaveRays& eyeRays, HitTable& hits) {
 
 /// Finds what the rays meet, and what lies on both sides of it; null where all of that is plain.
 const Interface* WaveTracer::meet(WaveRays& rays, HitTable& hits) {
-  if (batches_) {
-    batches_->intersectAll(rays, hits, arena_);
-  } else {
-    for (int row = 0; row < rays.count; ++row) {
-      Hit hit(rays.tmax[row]);
-      if (!tracer_.geometry().intersect(rays.rayOf(row), hit, rays.tmin[row])) continue;
-      rays.tmax[row] = hit.getT();
-      hits.setRow(row, hit, 0);
-    }
-  }
   Interface* found = nullptr;
   const Interfaces& interfaces = tracer_.interfaces();
-  if (!interfaces.arePlain()) {
+  if (interfaces.arePlain()) {
+    batches().intersectAll(rays, hits, arena_);
+  } else {
     found = arena_.take<Interface>(std::size_t(rays.count));
     std::fill(found, found + rays.count, Interface());
-    interfaces.examineAll(batches_, rays, hits, found, arena_);
+    interfaces.intersectAll(batches(), rays, hits, found, arena_);
   }
   if (counts_) {
     const auto* order = hits.order;

@@ -4,6 +4,8 @@
 #include "accel/compiled_scene.h"
 #include "check.h"
 #include "eye_rays.h"
+#include "glasses.h"
+#include "random.h"
 #include "scene_text.h"
 
 namespace {
@@ -150,6 +152,40 @@ TEST("a batch finds the surfaces behind those that change nothing") {
     CHECK_EQUAL(coloredRays.tmax[i], rays.tmax[i]);
   }
   CHECK(passedOver > 100);
+}
+
+TEST("a batch has the colours of its rays where balls of glass overlap at random") {
+  // Weak and strong ones, of which the strong hide some surfaces of the weak, inside of a cube of
+  // glass with open panes and something opaque.
+  Random random(5);
+  for (int round = 0; round < 20; ++round) {
+    std::string balls;
+    for (int i = 0; i < 8; ++i) {
+      balls += "MaterialIndex " + std::to_string(i % 4) +
+               glasses::ball(random.inCube(-1, 1), random.uniform(0.3, 0.9));
+    }
+    const SceneParser scene = scene_text::parse(R"(
+      Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
+      Lights { numLights 2 DirectionalLight { direction -1 -2 -1 color 0.3 0.4 0.5 }
+        PointLight { position 0.1 0.2 0.1 color 0.9 0.8 0.7 } }
+      Materials { numMaterials 5
+        Material { transparentColor 0.8 0.7 0.9 indexOfRefraction 1.4 diffuseColor 0.1 0.1 0.1 }
+        Material { transparentColor 0.9 0.5 0.7 indexOfRefraction 1.2 priority 1 }
+        Material { transparentColor 0.6 0.9 0.8 indexOfRefraction 1.3 priority -1 }
+        Material { transparentColor 0.9 0.9 0.6 indexOfRefraction 1.6 diffuseColor 0.1 0 0 }
+        Material { diffuseColor 0.5 0.4 0.3 } }
+      Group { numObjects 11 )" + balls + R"(
+        MaterialIndex 4 Plane { normal 0 1 0 offset -1.5 } Sphere { center 0.5 0 0 radius 0.2 }
+        MaterialIndex 0 Triangle { vertex0 -2 -1 1 vertex1 1 -1 1 vertex2 -1.5 1 0.5 } })");
+    const CompiledScene compiled(*scene.getGroup(), 1);
+    for (const bool isFresnel : {false, true}) {
+      RenderOptions options = scene_text::bouncing(4);
+      options.fresnel = isFresnel;
+      options.nestedDielectrics = !isFresnel || round % 2 == 0;
+      options.transparentShadows = true;
+      compare(scene, compiled, options, 256, 0);
+    }
+  }
 }
 
 TEST("the compiled scene and the plain tree give the same colours with every kind of glass") {
