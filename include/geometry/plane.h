@@ -6,13 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/object3d.h"
+#include "geometry/shape.h"
 
 /// The formula of a plane, for any number of rays (see math/number.h).
 namespace plane {
 
-/// Finds t = (offset - n . origin) / (n . direction). True where tmin < t < tmax and the ray does not leave this very plane; elsewhere `t`
-/// is anything. A ray parallel to the plane never meets it.
+/// Finds t = (offset - n . origin) / (n . direction). True where tmin < t < tmax and the ray does
+/// not leave this very plane; elsewhere `t` is anything. A ray parallel to the plane never meets
+/// it.
 template <class Number>
 MaskOf<Number> nearestRoot(const Vec3<Number>& normal, const Number& offset,
                            const Vec3<Number>& origin, const Vec3<Number>& direction,
@@ -25,44 +26,32 @@ MaskOf<Number> nearestRoot(const Vec3<Number>& normal, const Number& offset,
 
 }  // namespace plane
 
-class Plane : public Object3D {
+class Plane : public Shape {
  public:
   /// The normal is normalised first (it must not be zero); offset is the signed distance of the
   /// plane from the origin along it. The material is not owned.
   Plane(const Vec3d& normal, double offset, const Material* material)
-      : normal_(normalize(normal)), offset_(offset), material_(material) {}
+      : Shape(material), normal_(normalize(normal)), offset_(offset) {}
 
   /// A unit vector.
   const Vec3d& getNormal() const { return normal_; }
   /// The signed distance of the plane from the origin, along the unit normal.
   double getOffset() const { return offset_; }
-  const Material* getMaterial() const { return material_; }
 
-  bool intersect(const Ray& ray, Hit& hit, double tmin) const override {
-    double t;
-    if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
-    const Vec3d point = ray.pointAtParameter(t);
-    const double extent = std::fabs(offset_);
-    hit.record(t, material_, normal_, point, {this, 0, magnitudeOf(t, point, ray, extent)});
-    return true;
-  }
-  bool occluded(const Ray& ray, double tmin, double tmax) const override {
-    double t;
-    return nearestRoot(ray, tmin, tmax, t);
-  }
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override {
     double t;
     if (!nearestRoot(ray, 0, std::numeric_limits<double>::infinity(), t)) return;
-    visitor.visit({t, this, material_, false, dot(normal_, ray.getDirection()) > 0});
+    visitor.visit({t, this, getMaterial(), false, dot(normal_, ray.getDirection()) > 0});
   }
 
  private:
-  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const override {
     return plane::nearestRoot(normal_, offset_, ray.getOrigin(), ray.getDirection(), tmin, tmax,
                               ray.leaves(this), t);
   }
+  Vec3d normalAt(const Vec3d& /*point*/) const override { return normal_; }
+  double extent() const override { return std::fabs(offset_); }
 
   Vec3d normal_;
   double offset_;
-  const Material* material_;  // not owned
 };

@@ -1,6 +1,8 @@
 // Sphere: a closed ball's surface. Its normal points outwards.
 #pragma once
-#include "geometry/object3d.h"
+#include <algorithm>
+
+#include "geometry/shape.h"
 
 /// The formulas of a sphere, for any number of rays (see math/number.h).
 namespace sphere {
@@ -41,26 +43,27 @@ MaskOf<Number> nearestRoot(const Vec3<Number>& center, const Number& radius,
 
 }  // namespace sphere
 
-class Sphere : public Object3D {
+class Sphere : public Shape {
  public:
   /// radius > 0, in the units of the space the sphere stands in. The material is not owned.
   Sphere(const Vec3d& center, double radius, const Material* material)
-      : center_(center), radius_(radius), material_(material) {}
+      : Shape(material), center_(center), radius_(radius) {}
 
   const Vec3d& getCenter() const { return center_; }
   double getRadius() const { return radius_; }
-  const Material* getMaterial() const { return material_; }
 
-  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
-  bool occluded(const Ray& ray, double tmin, double tmax) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
   bool isBounded() const override { return true; }
 
  private:
-  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const override {
+    return sphere::nearestRoot(center_, radius_, ray.getOrigin(), ray.getDirection(), tmin, tmax,
+                               ray.leaves(this), t);
+  }
+  Vec3d normalAt(const Vec3d& point) const override { return normalize(point - center_); }
+  double extent() const override { return std::max(maxAbs(center_), radius_); }
 
   Vec3d center_;
   double radius_;
-  const Material* material_;  // not owned
 };

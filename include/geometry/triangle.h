@@ -11,7 +11,7 @@
 #pragma once
 #include <type_traits>
 
-#include "geometry/object3d.h"
+#include "geometry/shape.h"
 
 namespace triangle {
 
@@ -58,30 +58,31 @@ bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, dou
 
 }  // namespace triangle
 
-class Triangle : public Object3D {
+class Triangle : public Shape {
  public:
   /// The material is not owned. Without area the triangle is never hit.
   Triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Material* material)
-      : vertices_{a, b, c}, material_(material) {}
+      : Shape(material), vertices_{a, b, c} {}
 
   /// Vertex 0, 1 or 2.
   const Vec3d& getVertex(int index) const { return vertices_[index]; }
-  const Material* getMaterial() const { return material_; }
   /// Whether its area normal, as it is computed, is other than zero: three points on a line may
   /// have one by rounding, and points closer than 1e-162 or so have none.
-  bool hasArea() const {
-    return triangle::areaNormal(vertices_[0], vertices_[1], vertices_[2]) != Vec3d();
-  }
+  bool hasArea() const { return areaNormal() != Vec3d(); }
 
-  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
-  bool occluded(const Ray& ray, double tmin, double tmax) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
   bool isBounded() const override { return true; }
 
  private:
-  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const;
+  bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const override;
+  Vec3d normalAt(const Vec3d& /*point*/) const override { return normalize(areaNormal()); }
+  double extent() const override {
+    return triangle::extent(vertices_[0], vertices_[1], vertices_[2]);
+  }
+  Vec3d areaNormal() const {
+    return triangle::areaNormal(vertices_[0], vertices_[1], vertices_[2]);
+  }
 
   Vec3d vertices_[3];
-  const Material* material_;  // not owned
 };

@@ -111,27 +111,12 @@ bool Triangle::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) 
   return true;
 }
 
-bool Triangle::intersect(const Ray& ray, Hit& hit, double tmin) const {
-  double t;
-  if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
-  const auto& [a, b, c] = vertices_;
-  const Vec3d point = ray.pointAtParameter(t);
-  hit.record(t, material_, normalize(triangle::areaNormal(a, b, c)), point,
-             {this, 0, magnitudeOf(t, point, ray, triangle::extent(a, b, c))});
-  return true;
-}
-
-bool Triangle::occluded(const Ray& ray, double tmin, double tmax) const {
-  double t;
-  return nearestRoot(ray, tmin, tmax, t);
-}
-
 void Triangle::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
   const auto& [a, b, c] = vertices_;
   double t;
   bool leaving;
   if (!triangle::crosses(a, b, c, ray, t, leaving) || !(t > 0)) return;
-  visitor.visit({t, this, material_, false, leaving});
+  visitor.visit({t, this, getMaterial(), false, leaving});
 }
 
 void Triangle::addBounds(const Matrix& toWorld, BoundingBox& box) const {
