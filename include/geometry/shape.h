@@ -8,7 +8,7 @@ class Shape : public Object3D {
  public:
   const Material* getMaterial() const { return material_; }
 
-  bool intersect(const Ray& ray, Hit& hit, double tmin) const final {
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override {
     double t;
     if (!nearestRoot(ray, tmin, hit.getT(), t)) return false;
     const Vec3d point = ray.pointAtParameter(t);
@@ -16,7 +16,7 @@ class Shape : public Object3D {
                {this, 0, magnitudeOf(t, point, ray, extent())});
     return true;
   }
-  bool occluded(const Ray& ray, double tmin, double tmax) const final {
+  bool occluded(const Ray& ray, double tmin, double tmax) const override {
     double t;
     return nearestRoot(ray, tmin, tmax, t);
   }

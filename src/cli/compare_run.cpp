@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <set>
 
-#include "cli/command_table.h"
 #include "cli/compared_pair.h"
 #include "cli/outputs.h"
 #include "cli/program.h"

@@ -1,5 +1,6 @@
-// ComparedPair: two pictures that belong together, what came of comparing them, and the forms in
-// which that is told: lines of text, a row of comma-separated values, a page with the pictures.
+// What -compare works with. ComparedPair: two pictures that belong together, what came of comparing
+// them, and the forms in which that is told: lines of text, a row of comma-separated values, a page
+// with the pictures. TableCommand: a command of a table whose pictures are compared.
 #pragma once
 #include <optional>
 #include <sstream>
@@ -92,3 +93,22 @@ std::string reportFigures(const Image& expected, const Image& actual, const Comp
 /// The page: HTML in one file that needs nothing from outside. Pairs come as they are given. Names
 /// may hold any bytes.
 std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request);
+
+// A table of commands: pictures, and the arguments of raytracer that give them (command_table.cpp).
+
+/// A line of the table. Its words are separated by blanks; ' or " keep blanks in a word that they
+/// stand in; # at the start of a word begins a comment.
+///   PICTURE ARGUMENT...    e.g.  15_depth.png -input 15_depth.txt -size 200 150 -depth 2 7 d.png
+/// PICTURE is what -output would name; - stands for no picture of the colours. Pictures that other
+/// arguments name (-depth, -normals) are the line's too. Nothing is written to any of them.
+struct TableCommand {
+  std::string text;      ///< the arguments, as they stand in the table
+  RenderRequest render;  ///< input files are looked up beside the table
+  RunRequest run;
+};
+
+/// Reads a table. What its lines do not say of their runs is as in `defaults`. Throws ImageError
+/// where the file cannot be read, UsageError "FILE:LINE: ..." for a mistake: arguments that the
+/// program would refuse, those that only print (-check, -stats, -help) or compare, a line without a
+/// picture, a picture that an earlier line has too.
+std::vector<TableCommand> readCommandTable(const std::string& path, const RunRequest& defaults);

@@ -1,7 +1,12 @@
-// What a run tells besides its pictures. -stats gives one line for each entry, in a fixed order:
-// what was used, how long it took, how many rays there were of each kind and after each number of
+// What a run tells besides its pictures.
+//
+// -stats gives one line for each entry, in a fixed order, so that scripts find them by name: what
+// was used, how long it took, how many rays there were of each kind and after each number of
 // bounces, why branches ended, and what the answers for rays took. Numbers that are measured have a
-// fixed number of decimals. The other two ask render/ and only bring its answers to their outputs.
+// fixed number of decimals.
+//
+// -heatmap and -pixel trace their rays once more, by a tracer that is watched; they ask render/ for
+// that and only bring its answers to their outputs.
 #include "cli/inspection.h"
 
 #include <cstdio>
@@ -99,6 +104,8 @@ std::string inspectPixel(const SceneParser& scene, const ObjectPlaces& places,
   if (!render.results.pixel) return "";
   const PictureRequest& picture = render.picture;
   const PictureSpot at = *render.results.pixel;
+  // One observer tells what becomes of each ray, in words; the other one, where it is wanted, keeps
+  // where the ray went.
   const SceneNames names(scene, places);
   const auto report = makeRayReport(names, geometry, picture.render, writeOut);
   // A ray that meets nothing is drawn as long as the scene.
@@ -107,10 +114,12 @@ std::string inspectPixel(const SceneParser& scene, const ObjectPlaces& places,
   Output* const obj = findOutput(outputs, OutputRequest::Kind::rays);
   std::vector<RayObserver*> observers = {report.get()};
   if (obj) observers.push_back(&lines);
+  // Users count rows from the top, the camera from the bottom.
   const PictureWindow place = {at.x, picture.height - 1 - at.y, picture.width, picture.height};
   const Vec3f color = tracePixel(scene, geometry, picture.render, place, observers);
   if (obj) obj->text = lines.obj();
-  // The colour is the picture's, of all samples; what was reported is the central ray.
+  // The colour is the picture's, of all samples; what was reported is the central ray. So it is
+  // told last, in numbers and as the bytes that a file has.
   const Rgb8 bytes = bytesFromColor(color);
   std::ostringstream result;
   if (!picture.render.sampling.isPlain()) {

@@ -1,7 +1,13 @@
 // The files of a run: what each kind of output is, whether all names are of different files, and
-// writing what has been rendered. A file may be named more than once in different words: two names
-// are one file where the system says so, or, for files that are not there yet, where following all
-// links leads both to one path.
+// writing what has been rendered.
+//
+// A file may be named more than once in different words. Two names are one file where the system
+// says so (it compares device and number), or, for files that are not there yet, where following
+// all links leads both to one path.
+//
+// An output goes through four steps, each for all outputs of the run: can it be written
+// (markUnwritable), which leaves the disk as it is; an image of its size (makeImages); the places
+// that the renderer fills (targetsOf), which the table kKinds knows; the file (writeAll).
 #include "cli/outputs.h"
 
 #include <algorithm>
@@ -39,7 +45,8 @@ bool isSamePlace(const std::string& a, const std::string& b) {
   return (fs::equivalent(a, b, error) && !error) || placeOf(a) == placeOf(b);
 }
 
-/// The argument that prints on standard output, or "" where none does.
+/// The argument that prints lines on standard output, where no picture can go then; "" where none
+/// does. Of several the first is as good as any for the message.
 std::string printingArgument(const ResultRequest& results) {
   if (results.stats) return "-stats";
   if (results.pixel) return "-pixel";
@@ -99,7 +106,7 @@ bool wantsFloats(const Output& output) {
   return rowOf(output.kind).exact && formatOf(output.file) == PictureFormat::pfm;
 }
 
-/// Throws OutputError.
+/// In the form that its kind and the ending of its file ask for. Throws OutputError.
 void write(const Output& output, int threads) {
   if (output.kind == Kind::rays) {
     return writeFile(output.file, output.text.data(), output.text.size());
@@ -185,6 +192,7 @@ void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
   }
 }
 
+/// The window counts from the lower left corner, as the camera does.
 RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outputs) {
   RenderTargets targets;
   targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
@@ -201,11 +209,13 @@ RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outp
 }
 
 bool wantsRays(const std::vector<Output>& outputs) {
+  // The heat map and the rays of a pixel are traced besides, by their own means.
   const auto isTraced = [](const Output& output) { return rowOf(output.kind).image; };
   return std::any_of(outputs.begin(), outputs.end(), isTraced);
 }
 
-/// One that fails costs none of the others.
+/// One that fails costs none of the others. They come in the order of their kinds, so that their
+/// messages do too.
 std::size_t writeAll(const std::vector<Output>& outputs, int threads) {
   std::size_t written = 0;
   for (const Output& output : outputs) {

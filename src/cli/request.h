@@ -116,7 +116,7 @@ struct RenderRequest {
 /// Pictures compared.
 struct CompareRequest {
   std::string expected;    ///< a picture or a folder; empty: nothing is compared
-  std::string actual;      ///< a picture, a folder, or a table of commands (see command_table.h)
+  std::string actual;      ///< a picture, a folder, or a table of commands (see compared_pair.h)
   int tolerance = 1;       ///< levels, 0..255: differences up to it do not count
   double failPercent = 0;  ///< pictures are different when more of their pixels than this differ
   std::string diff;        ///< picture of the differences; empty = not wanted, as for the others

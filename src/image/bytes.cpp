@@ -1,39 +1,23 @@
 // Bytes: reads a whole file, takes bytes of it, and appends numbers.
-// Memory grows with what has been read, as a file's size may change meanwhile, and a pipe has none.
 #include "image/bytes.h"
 
-#include <sys/stat.h>
-
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "system/files.h"
 
 Bytes readBytes(const std::string& path) {
-  // What is no plain file may never end, so that it is read to a limit only.
-  constexpr std::size_t kStep = 65536;
-  constexpr std::size_t kMostOfDevice = std::size_t{64} << 20;  // one such as /dev/zero never ends
-  constexpr std::size_t kMostStreamed = std::size_t{1} << 30;
   const OpenFile file(path);
-  struct stat status = {};
-  if (!file.isOpen() || fstat(file.descriptor(), &status) != 0) {
-    throw ImageError(path, std::strerror(errno));
-  }
   Bytes bytes;
-  for (ssize_t count = 1; count > 0;) {
-    const std::size_t before = bytes.size();
-    if (S_ISCHR(status.st_mode) && before > kMostOfDevice) {
-      throw ImageError(path, "expected at most 64 MB from a device, found more");
-    }
-    if (!S_ISREG(status.st_mode) && before > kMostStreamed) {
-      throw ImageError(path, "expected at most 1 GiB from what is no plain file, found more");
-    }
-    // One step more, then cut off to what has come; the vector doubles its memory as it grows.
-    bytes.resize(before + kStep);
-    count = readSome(file.descriptor(), reinterpret_cast<char*>(&bytes[before]), kStep);
-    if (count < 0) throw ImageError(path, std::strerror(errno));
-    bytes.resize(before + static_cast<std::size_t>(count));
+  const ReadOutcome outcome = file.isOpen()
+                                  ? readToEnd(file.descriptor(), bytes, std::size_t{1} << 30)
+                                  : ReadOutcome::failed;
+  if (outcome == ReadOutcome::failed) throw ImageError(path, std::strerror(errno));
+  if (outcome == ReadOutcome::longDevice) {
+    throw ImageError(path, "expected at most 64 MB from a device, found more");
+  }
+  if (outcome == ReadOutcome::longStream) {
+    throw ImageError(path, "expected at most 1 GiB from what is no plain file, found more");
   }
   return bytes;
 }

@@ -1,7 +1,6 @@
 // Reading a whole file, whatever kind of file it is; counting its lines; and cutting it into words.
 #include "scene/source_text.h"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,49 +12,27 @@
 
 #include "scene/input_error.h"
 #include "system/files.h"
-#include "system/memory.h"
 
 namespace {
 
-constexpr std::size_t kLeastRoom = 4096;
-constexpr std::size_t kMostRoom = std::size_t(1) << 16;  // what a pipe holds, and gives at a time
-/// Devices such as /dev/zero never end: more than this from one is a mistake.
-constexpr std::size_t kMaxDeviceBytes = std::size_t(64) << 20;
-
 /// What the system says of the last call that failed.
-std::string systemReason() { return std::strerror(errno); }
-
-/// Reads to the end. Memory is touched a little at a time, as the bytes come. Returns why it could
-/// not, or nothing.
-std::string readToEnd(int descriptor, std::string& bytes) {
-  struct stat status;
-  if (fstat(descriptor, &status) != 0) return systemReason();
-  if (S_ISDIR(status.st_mode)) return "it is a folder, expected a file";
-  if (S_ISREG(status.st_mode)) bytes.reserve(std::size_t(status.st_size) + 1);
-  preferLargePages(bytes.data(), bytes.capacity());
-  for (;;) {
-    const std::size_t size = bytes.size();
-    if (S_ISCHR(status.st_mode) && size > kMaxDeviceBytes) {
-      return "the device gives more than 64 MB, expected a file";
-    }
-    // The end is found with what room there is: more would copy all that has been read.
-    const std::size_t room = bytes.capacity() - size;
-    bytes.resize(size + (room > 0 ? std::min(room, kMostRoom) : kLeastRoom));
-    const ssize_t count = readSome(descriptor, &bytes[size], bytes.size() - size);
-    bytes.resize(size + std::size_t(std::max(count, ssize_t(0))));
-    if (count < 0) return systemReason();
-    if (count == 0) return {};
-  }
+std::string systemReason() {
+  return errno == EISDIR ? "it is a folder, expected a file" : std::strerror(errno);
 }
 
+/// Reads to the end. Where it cannot, returns false and says why.
 bool readOrExplain(int descriptor, std::string& bytes, std::string& reason) {
+  bytes.clear();
   try {
-    bytes.clear();
-    reason = readToEnd(descriptor, bytes);
+    const ReadOutcome outcome = readToEnd(descriptor, bytes, bytes.max_size());
+    if (outcome == ReadOutcome::failed) reason = systemReason();
+    if (outcome == ReadOutcome::longDevice) {
+      reason = "the device gives more than 64 MB, expected a file";
+    }
+    return outcome == ReadOutcome::whole;
   } catch (const std::length_error&) {  // more than any memory holds
     throw std::bad_alloc();
   }
-  return reason.empty();
 }
 
 bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
