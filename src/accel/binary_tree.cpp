@@ -54,19 +54,20 @@ Box4 boxOf(const BinaryNode& node) { return {Float4::load(node.low), Float4::loa
 /// Builds one range with one thread.
 class BinaryTree::Subtree {
  public:
-  Subtree(BinaryTree& tree, std::size_t firstItem)
+  Subtree(BinaryTree& tree, std::size_t firstItem, std::vector<std::uint8_t>& leafSizes)
       : nodes_(tree.nodes()),
         next_(std::uint32_t(2 * firstItem + 1)),
         uniform_(tree.uniform_),
-        memoryPrice_(tree.memoryPrice_) {}
+        memoryPrice_(tree.memoryPrice_),
+        leafSizes_(leafSizes) {}
 
   /// The depth of recursion is at most kMostSplits.
   CollapseCost build(const BuildRange& range, std::uint32_t index) {
     BinaryNode& node = nodes_[index];
     setBox(node, range.box);
     if (fitsLeaf(range, uniform_)) {
-      node.plan = CollapsePlan::leaf(range.count);
-      ++leaves_;
+      node.plan = CollapsePlan::kLeaf;
+      leafSizes_.push_back(std::uint8_t(range.count));
       return CollapseCost::ofLeaf(halfArea(range.box));
     }
     assert(range.splits < kMostSplits);
@@ -78,7 +79,6 @@ class BinaryTree::Subtree {
     const CollapseCost first = build(left, pair), second = build(right, pair + 1);
     return CollapseCost::ofNode(halfArea(range.box) + memoryPrice_, first, second, node.plan);
   }
-  std::size_t leaves() const { return leaves_; }
 
  private:
   BinaryNode* nodes_;
@@ -86,7 +86,7 @@ class BinaryTree::Subtree {
   const bool uniform_;
   const float memoryPrice_;
   ThreadPool alone_;
-  std::size_t leaves_ = 0;
+  std::vector<std::uint8_t>& leafSizes_;
 };
 
 BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
@@ -97,17 +97,18 @@ BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
       nextTop_(std::uint32_t(2 * count + 1)) {
   const BuildRange whole = wholeRange(items, count);
   memoryPrice_ = memoryPrice(whole.box, count);
-  if (count <= mostInTask_) {
-    Subtree subtree(*this, 0);
-    subtree.build(whole, kRoot);
-    leafCount_ = subtree.leaves();
-    return;
-  }
   splitTop(whole, kRoot);
   runTasks();
   std::size_t task = 0;
   finishTop(kRoot, task);
-  for (const Task& done : tasks_) leafCount_ += done.leaves;
+}
+
+std::vector<std::uint8_t> BinaryTree::leafSizes() const {
+  std::vector<std::uint8_t> sizes;
+  for (const Task& task : tasks_) {
+    sizes.insert(sizes.end(), task.leafSizes.begin(), task.leafSizes.end());
+  }
+  return sizes;
 }
 
 BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
@@ -134,7 +135,7 @@ BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
 void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index) {
   BinaryNode& node = nodes()[index];
   if (range.count <= mostInTask_) {
-    tasks_.push_back({range, index, {}, 0});
+    tasks_.push_back({range, index, {}, {}});
     return;
   }
   BuildRange left, right;
@@ -154,9 +155,8 @@ void BinaryTree::runTasks() {
             [](const Task* a, const Task* b) { return a->range.count > b->range.count; });
   pool_.forEachIndex(bySize.size(), [&](std::size_t i) {
     Task& task = *bySize[i];
-    Subtree subtree(*this, std::size_t(task.range.first - items_));
+    Subtree subtree(*this, std::size_t(task.range.first - items_), task.leafSizes);
     task.cost = subtree.build(task.range, task.node);
-    task.leaves = subtree.leaves();
   });
 }
 

@@ -16,16 +16,14 @@
 
 namespace accel {
 
-/// How a binary node is collapsed. A leaf: kLeaf and its number of items. Else for each number of
+/// How a binary node is collapsed. A leaf: kLeaf. Else for each number of
 /// slots from 2 to 8 how many of them its first child gets, three bits each, and from which number
 /// of slots on it is better opened than left whole.
 class CollapsePlan {
  public:
   static constexpr std::uint32_t kLeaf = 0x80000000u;
 
-  static constexpr std::uint32_t leaf(std::size_t items) { return kLeaf | std::uint32_t(items); }
   static constexpr bool isLeaf(std::uint32_t plan) { return (plan & kLeaf) != 0; }
-  static constexpr int leafItems(std::uint32_t plan) { return int(plan & 15); }
   static constexpr int forFirst(std::uint32_t plan, int slots) {
     return int(plan >> (3 * (slots - 2)) & 7);
   }
@@ -84,16 +82,15 @@ class BinaryTree {
 
   static constexpr std::uint32_t kRoot = 0;
   const BinaryNode& node(std::uint32_t index) const { return nodes()[index]; }
-  std::size_t leafCount() const { return leafCount_; }
-  /// True where all items are of one kind.
-  bool isUniform() const { return uniform_; }
+  /// How many items each leaf has, in the order of the items.
+  std::vector<std::uint8_t> leafSizes() const;
 
  private:
   struct Task {
     BuildRange range;
     std::uint32_t node;
     CollapseCost cost;
-    std::size_t leaves;
+    std::vector<std::uint8_t> leafSizes;
   };
   class Subtree;
 
@@ -111,7 +108,6 @@ class BinaryTree {
   std::uint32_t nextTop_;
   bool uniform_ = true;
   float memoryPrice_ = 0;
-  std::size_t leafCount_ = 0;
   std::vector<Task> tasks_;
 };
 

@@ -2,14 +2,16 @@
 //
 //   1. BinaryTree splits the items until they fit into leaves, and finds for each node the cheapest
 //      way to collapse what is below it into wide nodes.
-//   2. WideNodeBuilder follows these plans from the root down. The children of one wide node lie
-//      side by side; leaves get their places in the order of the items, so that whoever knows the
-//      sizes of the leaves knows where each is.
-//   3. The leaves are written in runs, by all threads; the memory of a run's items is given back
-//      when it is written, so that items and leaves are never in memory all at once.
+//   2. The leaves are written in the order of the items, in batches, by all threads. How many words
+//      a batch takes is known when it is written; then it gets its place behind those that came
+//      before. The memory of items is given back as soon as they are in leaves, so that items,
+//      leaves and nodes are never in memory all at once.
+//   3. WideNodeBuilder follows the plans from the root down. The children of one wide node lie side
+//      by side; leaves come in the order of the items, so where they are follows from their sizes.
 #include "accel/bvh_builder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -23,34 +25,91 @@
 namespace accel {
 namespace {
 
-/// Leaves that are written in one go, by one thread, before the memory of their items is returned.
-constexpr std::size_t kLeavesPerRun = 2048;
+/// Leaves that are written in one go, to a place of their own.
+constexpr std::size_t kLeavesPerBatch = 64;
+/// Batches that one thread writes before the memory of their items is given back.
+constexpr std::size_t kBatchesPerRun = 32;
 
 /// A node so much smaller than the frame that it is in begins another.
 constexpr float kFrameStep = 0x1p-12f;
 
-struct LeafRun {
-  std::size_t firstItem, firstLeaf, firstWord;
-};
-
-/// Makes the wide nodes. Leaves get their places in the order of their items.
-class WideNodeBuilder {
+/// Writes all leaves of a tree.
+class Leaves {
  public:
-  WideNodeBuilder(const BinaryTree& tree, const BuildItem* items, WideBvh& bvh)
-      : tree_(tree), items_(items), bvh_(bvh) {
-    bvh_.nodes = PageBuffer(tree.leafCount() * sizeof(WideNode));
-    bvh_.nodeCount = 1;
-    bvh_.leafWords = 1;  // offset 0 means no leaf
-    sizes_.reserve(tree.leafCount());
-    collapse(0, BinaryTree::kRoot, {1, 0, longestSide(BinaryTree::kRoot)});
-    bvh_.nodes.shrink(bvh_.nodeCount * sizeof(WideNode));
-    runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
+  /// `sizes` says how many of the items each leaf has.
+  Leaves(std::vector<std::uint8_t> sizes, BuildItems& items, const LeafWriter& writer)
+      : sizes_(std::move(sizes)), items_(items), writer_(writer) {
+    std::size_t item = 0;
+    for (std::size_t leaf = 0; leaf < sizes_.size(); ++leaf) {
+      if (leaf % kLeavesPerBatch == 0) batches_.push_back({item, 0});
+      item += sizes_[leaf];
+    }
   }
 
-  /// How many items each leaf has.
-  const std::vector<std::uint8_t>& sizes() const { return sizes_; }
-  /// Where each run of leaves begins, and the end of the last one.
-  const std::vector<LeafRun>& runs() const { return runs_; }
+  void write(WideBvh& bvh, ThreadPool& pool) {
+    const std::size_t most = 1 + kFirstRow * sizes_.size() + kMostItemWords * items_.count();
+    bvh.leaves = PageBuffer((most + kWidth) * sizeof(std::uint32_t));
+    std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
+    pool.forEachIndex((batches_.size() + kBatchesPerRun - 1) / kBatchesPerRun, [&](std::size_t i) {
+      const std::size_t first = i * kBatchesPerRun,
+                        end = std::min(first + kBatchesPerRun, batches_.size());
+      for (std::size_t batch = first; batch < end; ++batch) writeBatch(batch, words);
+      items_.discard(batches_[first].item,
+                     end < batches_.size() ? batches_[end].item : items_.count());
+    });
+    bvh.leafWords = next_;
+    bvh.leaves.shrink((next_ + kWidth) * sizeof(std::uint32_t));
+  }
+
+  std::size_t count() const { return sizes_.size(); }
+  /// Where leaf `leaf` is; `before` is where the leaf before it is.
+  std::uint32_t offsetOf(std::size_t leaf, std::uint32_t before) const {
+    return leaf % kLeavesPerBatch == 0 ? batches_[leaf / kLeavesPerBatch].word
+                                       : before + sizes_[leaf - 1];
+  }
+
+ private:
+  struct Batch {
+    std::size_t item;    // its first
+    std::uint32_t word;  // where it is written
+  };
+
+  void writeBatch(std::size_t number, std::uint32_t* words) {
+    std::uint32_t written[kLeavesPerBatch * kMostLeafWords];
+    std::size_t size = 0, item = batches_[number].item;
+    const std::size_t first = number * kLeavesPerBatch,
+                      end = std::min(first + kLeavesPerBatch, sizes_.size());
+    for (std::size_t leaf = first; leaf < end; ++leaf) {
+      const int count = sizes_[leaf];
+      const BuildItem* items = items_.data() + item;
+      writer_.prepare(items, count, items_.count() - item);
+      sizes_[leaf] = std::uint8_t(writer_.write(items, count, written + size));
+      size += sizes_[leaf];
+      item += std::size_t(count);
+    }
+    const std::size_t place = next_.fetch_add(size);
+    batches_[number].word = std::uint32_t(place);
+    std::copy(written, written + size, words + place);
+  }
+
+  std::vector<std::uint8_t> sizes_;  // in items, and in words once it is written
+  std::vector<Batch> batches_;
+  std::atomic<std::size_t> next_{1};  // offset 0 means no leaf
+  BuildItems& items_;
+  const LeafWriter& writer_;
+};
+
+/// Makes the wide nodes.
+class WideNodeBuilder {
+ public:
+  /// `hasFrames`: only leaves of a mesh hold exact numbers, which can be seen from nearby.
+  WideNodeBuilder(const BinaryTree& tree, const Leaves& leaves, bool hasFrames, WideBvh& bvh)
+      : tree_(tree), leaves_(leaves), hasFrames_(hasFrames), bvh_(bvh) {
+    bvh_.nodes = PageBuffer(leaves.count() * sizeof(WideNode));
+    bvh_.nodeCount = 1;
+    collapse(0, BinaryTree::kRoot, {1, 0, longestSide(BinaryTree::kRoot)});
+    bvh_.nodes.shrink(bvh_.nodeCount * sizeof(WideNode));
+  }
 
  private:
   struct Children {
@@ -92,7 +151,8 @@ class WideNodeBuilder {
     for (int i = 0; i < children.count;
          ++i) {  // in the order of the items: leaves are placed by it
       if (isLeaf(children.nodes[i])) {
-        target.child[i] = placeLeaf(children.nodes[i]);
+        place_ = leaves_.offsetOf(leaf_++, place_);
+        target.child[i] = place_ | kLeafBit;
       } else {
         Place inside = {place.level + 1, place.frames, place.frameSize};
         const std::uint32_t node = target.child[i];
@@ -123,32 +183,19 @@ class WideNodeBuilder {
     return std::max(
         {node.high[0] - node.low[0], node.high[1] - node.low[1], node.high[2] - node.low[2]});
   }
-  /// Only leaves of a mesh hold exact numbers, which can be seen from nearby.
   bool beginsFrame(std::uint32_t index, float around) const {
     const float size = longestSide(index);
-    return items_[0].kind == LeafKind::meshTriangles && size < around * kFrameStep &&
-           size > TreeFrame::kLeast;
+    return hasFrames_ && size < around * kFrameStep && size > TreeFrame::kLeast;
   }
 
   bool isLeaf(std::uint32_t index) const { return CollapsePlan::isLeaf(tree_.node(index).plan); }
 
-  std::uint32_t placeLeaf(std::uint32_t index) {
-    const std::size_t size = std::size_t(CollapsePlan::leafItems(tree_.node(index).plan));
-    if (sizes_.size() % kLeavesPerRun == 0) runs_.push_back({item_, sizes_.size(), bvh_.leafWords});
-    const std::uint32_t offset = std::uint32_t(bvh_.leafWords);
-    const LeafKind kind = items_[tree_.isUniform() ? 0 : item_].kind;
-    bvh_.leafWords += wordsOf(kind, int(size));
-    item_ += size;
-    sizes_.push_back(std::uint8_t(size));
-    return offset | kLeafBit;
-  }
-
   const BinaryTree& tree_;
-  const BuildItem* items_;
+  const Leaves& leaves_;
+  const bool hasFrames_;
   WideBvh& bvh_;
-  std::vector<std::uint8_t> sizes_;
-  std::vector<LeafRun> runs_;
-  std::size_t item_ = 0;
+  std::size_t leaf_ = 0;     // how many have been met
+  std::uint32_t place_ = 0;  // of the last of them
 };
 
 }  // namespace
@@ -166,34 +213,24 @@ TreeFrame TreeFrame::of(const WideNode& node) {
   return frame;
 }
 
-std::uint32_t leafHead(float edge, LeafKind kind, int count) {
+std::uint32_t leafHead(float edge, LeafKind kind, int count, int vertices) {
   // Not so small that its square could underflow: infinity times it must not be NaN.
   const float bound = std::max(edge, 0x1p-40f);
   std::uint32_t bits;
   std::memcpy(&bits, &bound, sizeof bits);
-  return ((bits + 0xff) & ~0xffu) | std::uint32_t(kind) << 4 | std::uint32_t(count);
+  return ((bits + 0xffff) & ~0xffffu) | std::uint32_t(vertices) << 8 | std::uint32_t(kind) << 4 |
+         std::uint32_t(count);
 }
 
 void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, ThreadPool& pool) {
   if (items.count() == 0) return;
   if (items.count() > kMostItems) throw std::length_error("too many primitives for one tree");
-  std::vector<std::uint8_t> sizes;
-  std::vector<LeafRun> runs;
-  {
-    const BinaryTree tree(items.data(), items.count(), pool);
-    const WideNodeBuilder builder(tree, items.data(), bvh);
-    bvh.whole = TreeFrame::of(*bvh.root());
-    sizes = builder.sizes();
-    runs = builder.runs();
-  }
-  bvh.leaves = PageBuffer((bvh.leafWords + kWidth) * sizeof(std::uint32_t));
-  std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
-  pool.forEachIndex(runs.size() - 1, [&](std::size_t i) {
-    const LeafRun &run = runs[i], &next = runs[i + 1];
-    writer.write(items.data() + run.firstItem, sizes.data() + run.firstLeaf,
-                 next.firstLeaf - run.firstLeaf, words + run.firstWord);
-    items.discard(run.firstItem, next.firstItem);
-  });
+  const bool isMesh = items.data()[0].kind == LeafKind::meshTriangles;
+  const BinaryTree tree(items.data(), items.count(), pool);
+  Leaves leaves(tree.leafSizes(), items, writer);
+  leaves.write(bvh, pool);
+  const WideNodeBuilder builder(tree, leaves, isMesh, bvh);
+  bvh.whole = TreeFrame::of(*bvh.root());
 }
 
 }  // namespace accel

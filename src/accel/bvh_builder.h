@@ -39,29 +39,34 @@ class BuildItems {
   std::size_t count_ = 0;
 };
 
+/// Writes leaves; called from several threads at once.
 class LeafWriter {
  public:
   virtual ~LeafWriter() = default;
-  /// Writes `leafCount` leaves one behind the other: the first has the first sizes[0] of the items,
-  /// which are all of one kind, and takes wordsOf(kind, sizes[0]) words, and so on. Called from
-  /// several threads at once.
-  virtual void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
-                     std::uint32_t* words) const = 0;
+  /// Writes a leaf of `count` items, which are all of one kind, to `words`, where there is room for
+  /// kMostLeafWords; returns how many it took.
+  virtual int write(const BuildItem* items, int count, std::uint32_t* words) const = 0;
+  /// `count` items before those that are written next, of `left` in a row.
+  virtual void prepare(const BuildItem* /*items*/, int /*count*/, std::size_t /*left*/) const {}
 };
 
-/// The head of a leaf: `edge` rounded up a little, kind and count in its low byte.
-std::uint32_t leafHead(float edge, LeafKind kind, int count);
+/// The head of a leaf: `edge` rounded up a little; see LeafKind.
+std::uint32_t leafHead(float edge, LeafKind kind, int count, int vertices = 0);
+
+/// The most words of an item, a triangle that shares no vertex, and of a leaf.
+constexpr int kMostItemWords = 10, kMostLeafWords = kFirstRow + 8 * kMostItemWords;
 
 /// The most primitives a leaf may hold.
 constexpr int mostInLeaf(LeafKind kind) { return kind == LeafKind::objects ? 1 : 8; }
 
 /// So many that leaves of one triangle each can still be told apart by 31 bits.
-constexpr std::size_t kMostItems = 0x7fffff00u / 11;
+constexpr std::size_t kMostItems = 0x7fffff00u / (kFirstRow + kMostItemWords);
 
 /// Builds nodes and leaves of `bvh`, whose anchor and scale are set and whose box this sets, over
 /// up to kMostItems items (more: std::length_error), whose memory is given back as the leaves are
-/// written. The tree is a function of the items alone, not of the number of threads. Binary splits
-/// by the binned surface area heuristic, collapsed into nodes of eight at the least expected cost.
+/// written. The tree is a function of the items alone, but where its leaves are is not. Binary
+/// splits by the binned surface area heuristic, collapsed into nodes of eight at the least expected
+/// cost.
 /// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 /// 2017.

@@ -9,13 +9,10 @@
 #include <cstring>
 #include <unordered_map>
 
-#include "accel/build_range.h"
 #include "geometry/triangle.h"
 
 namespace accel {
 namespace {
-
-Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
 /// Whether triangle::areaNormal is not 0, mostly without computing it: rounding changes the float
 /// normal by less than 2^-21 of the product of the edges, a denormal by less than 2^-120.

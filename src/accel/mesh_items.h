@@ -3,12 +3,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "accel/build_range.h"
 #include "accel/bvh_builder.h"
 #include "accel/mesh_tree.h"
 #include "accel/thread_pool.h"
 #include "geometry/mesh_geometry.h"
 
 namespace accel {
+
+inline Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
 /// The boxes of all faces that have an area, by rising numbers, times `scale`.
 BuildItems meshItems(const MeshGeometry& geometry, float scale, ThreadPool& pool);

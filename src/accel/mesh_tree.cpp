@@ -14,17 +14,48 @@
 #include <cmath>
 #include <cstring>
 #include <mutex>
-#include <numeric>
 #include <utility>
 #include <vector>
 
-#include "accel/build_range.h"
 #include "accel/mesh_items.h"
 #include "accel/thread_pool.h"
 #include "math/bounding_box.h"
 
 namespace accel {
 namespace {
+
+constexpr int placeOf(std::uint32_t places, int corner) {
+  return int(places >> (kPlaceBits * corner) & 31);
+}
+
+/// Numbers the vertices of a leaf.
+struct LocalVertices {
+  static constexpr int kMost = 24;
+
+  int count = 0;
+
+  /// Where the corners of a face are: five bits each.
+  std::uint16_t placesOf(const MeshGeometry::Face& face) {
+    return std::uint16_t(placeOf(face[0]) | placeOf(face[1]) << kPlaceBits |
+                         placeOf(face[2]) << 2 * kPlaceBits);
+  }
+  std::uint32_t vertex(int place) const { return vertices_[place + 1]; }
+
+ private:
+  /// Without branches, which would be guessed wrongly. Of two vertices with the same hash one may
+  /// be there twice.
+  int placeOf(std::uint32_t vertex) {
+    std::uint8_t& last = last_[vertex * 0x9e3779b1u >> 25];
+    const bool isNew = vertices_[last] != vertex;
+    count += isNew;
+    last = isNew ? std::uint8_t(count) : last;
+    vertices_[last] = vertex;
+    return last - 1;
+  }
+
+  std::uint8_t last_[128] = {};  // of each hash, counted from 1
+  std::uint32_t vertices_[kMost + 1] = {0xffffffffu};  // the first is none
+};
 
 /// From so many faces on that lie on others, copies are looked for.
 constexpr std::size_t kPilesThatPay = 64;
@@ -49,43 +80,46 @@ class MeshLeafWriter : public LeafWriter {
   MeshLeafWriter(const MeshGeometry& geometry, float scale, Piles& piles)
       : geometry_(geometry), scale_(scale), piles_(piles) {}
 
-  void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
-             std::uint32_t* words) const override {
-    const BuildItem* end = std::accumulate(sizes, sizes + leafCount, items);
-    for (const std::uint8_t* size = sizes; size != sizes + leafCount; ++size) {
-      for (int i = 0; i < *size; ++i) prefetchAhead(items + i, end);
-      writeLeaf(items, *size, words);
-      words += wordsOf(LeafKind::meshTriangles, *size);
-      items += *size;
+  int write(const BuildItem* items, int count, std::uint32_t* words) const override {
+    LocalVertices local;
+    std::uint16_t places[8];
+    for (int i = 0; i < 8; ++i) {
+      places[i] = i < count ? local.placesOf(geometry_.getFaces()[items[i].id]) : places[i - 1];
+    }
+    std::memcpy(words + 1, places, sizeof places);
+    Vec3f vertices[LocalVertices::kMost];
+    for (int k = 0; k < local.count; ++k) {
+      vertices[k] = geometry_.getVertices()[local.vertex(k)] * scale_;
+      for (int axis = 0; axis < 3; ++axis) {
+        const float value = vertices[k][axis];
+        std::memcpy(words + kFirstRow + axis * local.count + k, &value, sizeof value);
+      }
+    }
+    float edge = 0;
+    std::uint32_t* faces = words + kFirstRow + 3 * local.count;
+    for (int i = 0; i < count; ++i) {
+      const Vec3f& a = vertices[placeOf(places[i], 0)];
+      edge = std::max({edge, maxAbs(vertices[placeOf(places[i], 1)] - a),
+                       maxAbs(vertices[placeOf(places[i], 2)] - a)});
+      faces[i] = items[i].id | kIdBit;
+    }
+    words[0] = leafHead(edge, LeafKind::meshTriangles, count, local.count);
+    if (isPile(items, count)) piles_.add(items, count);
+    return kFirstRow + 3 * local.count + count;
+  }
+
+  /// The items come in no order of the mesh, so every face and vertex would be waited for.
+  void prepare(const BuildItem* items, int count, std::size_t left) const override {
+    constexpr std::size_t kFacesAhead = 48, kVerticesAhead = 24;
+    for (; count > 0 && left > kFacesAhead; --count, --left, ++items) {
+      prefetch(&geometry_.getFaces()[items[kFacesAhead].id]);
+      for (const std::uint32_t vertex : geometry_.getFaces()[items[kVerticesAhead].id]) {
+        prefetch(&geometry_.getVertices()[vertex]);
+      }
     }
   }
 
  private:
-  /// The items come in no order of the mesh, so every face and vertex would be waited for.
-  void prefetchAhead(const BuildItem* item, const BuildItem* end) const {
-    constexpr std::ptrdiff_t kFacesAhead = 48, kVerticesAhead = 24;
-    if (end - item > kFacesAhead) prefetch(&geometry_.getFaces()[item[kFacesAhead].id]);
-    if (end - item <= kVerticesAhead) return;
-    for (const std::uint32_t vertex : geometry_.getFaces()[item[kVerticesAhead].id]) {
-      prefetch(&geometry_.getVertices()[vertex]);
-    }
-  }
-  void writeLeaf(const BuildItem* items, int count, std::uint32_t* words) const {
-    float edge = 0;
-    for (int i = 0; i < count; ++i) {
-      Vec3f corners[3];
-      const MeshGeometry::Face& face = geometry_.getFaces()[items[i].id];
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry_.getVertices()[face[k]] * scale_;
-      for (int k = 0; k < 9; ++k) {
-        const float value = corners[k / 3][k % 3];
-        std::memcpy(words + 1 + k * count + i, &value, sizeof value);
-      }
-      words[1 + 9 * count + i] = items[i].id | kIdBit;
-      edge = std::max({edge, maxAbs(corners[1] - corners[0]), maxAbs(corners[2] - corners[0])});
-    }
-    words[0] = leafHead(edge, LeafKind::meshTriangles, count);
-    if (isPile(items, count)) piles_.add(items, count);
-  }
   /// Whether all boxes are the same. More of them than a leaf takes are halved by number, so that
   /// half a leaf of them is left at least.
   static bool isPile(const BuildItem* items, int count) {
@@ -168,17 +202,19 @@ BoundingBox MeshTree::box() const {
 }
 
 MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {
-  const int n = countOf(words[0]);
-  const std::uint32_t face = words[1 + 9 * n + lane] & ~kIdBit;
+  const int n = verticesOf(words[0]);
+  const std::uint32_t face = words[kFirstRow + 3 * n + lane] & ~kIdBit;
   if (!exact_) {
     return {geometry_->corner(face, 0), geometry_->corner(face, 1), geometry_->corner(face, 2),
             face};
   }
+  std::uint16_t places;
+  std::memcpy(&places, reinterpret_cast<const char*>(words + 1) + 2 * lane, sizeof places);
   const double unscale = 1 / bvh_.scale;
   double v[9];
   for (int k = 0; k < 9; ++k) {
     float value;
-    std::memcpy(&value, words + 1 + k * n + lane, sizeof value);
+    std::memcpy(&value, words + kFirstRow + k % 3 * n + placeOf(places, k / 3), sizeof value);
     v[k] = value * unscale;
   }
   return {Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8]), face};

@@ -89,17 +89,7 @@ class ObjectLeafWriter : public LeafWriter {
   ObjectLeafWriter(const std::vector<TreeMember>& entries, const WideBvh& bvh)
       : members_(entries), bvh_(bvh) {}
 
-  void write(const BuildItem* items, const std::uint8_t* sizes, std::size_t leafCount,
-             std::uint32_t* words) const override {
-    for (const std::uint8_t* size = sizes; size != sizes + leafCount; ++size) {
-      writeLeaf(items, *size, words);
-      words += wordsOf(items[0].kind, *size);
-      items += *size;
-    }
-  }
-
- private:
-  void writeLeaf(const BuildItem* items, int count, std::uint32_t* words) const {
+  int write(const BuildItem* items, int count, std::uint32_t* words) const override {
     const LeafKind kind = items[0].kind;
     float edge = 0;
     for (int i = 0; i < count; ++i) {
@@ -113,7 +103,10 @@ class ObjectLeafWriter : public LeafWriter {
       column[rowsOf(kind) * count] = items[i].id | kIdBit;
     }
     words[0] = leafHead(edge, kind, count);
+    return 1 + (rowsOf(kind) + 1) * count;
   }
+
+ private:
   Vec3d normalized(const Vec3d& p) const {
     return (p - Vec3d(bvh_.anchor[0], bvh_.anchor[1], bvh_.anchor[2])) * bvh_.scale;
   }

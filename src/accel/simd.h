@@ -195,6 +195,60 @@ inline float floatOfBits(std::uint32_t bits) {
 inline int lowestBit(unsigned bits) { return __builtin_ctz(bits); }
 inline int leafCount(std::uint32_t head) { return int(head & 15); }
 inline LeafKind leafKind(std::uint32_t head) { return LeafKind(head >> 4 & 3); }
+inline int leafVertices(std::uint32_t head) { return int(head >> 8 & 31); }
+
+// Places8: eight numbers of up to five bits, and what is at these places of a row.
+#if defined(__AVX2__)
+
+struct Places8 {
+  __m256i v;
+
+  /// From half words. What is above their lowest five bits is passed over.
+  static Places8 load(const std::uint32_t* words) {
+    return {_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(words)))};
+  }
+  Places8 next(int bits) const { return {_mm256_srli_epi32(v, bits)}; }
+  /// Reads kEights times eight of the row; the places are below.
+  template <int kEights>
+  Float8 in(const float* row) const {
+    __m256 found = eight(row);
+    if (kEights > 1) found = _mm256_blendv_ps(found, eight(row + 8), bitAsSign(3));
+    if (kEights > 2) found = _mm256_blendv_ps(found, eight(row + 16), bitAsSign(4));
+    return {found};
+  }
+
+ private:
+  __m256 eight(const float* row) const {
+    return _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), v);
+  }
+  __m256 bitAsSign(int bit) const { return _mm256_castsi256_ps(_mm256_slli_epi32(v, 31 - bit)); }
+};
+
+#else
+
+struct Places8 {
+  std::uint16_t v[8];
+  int shift = 0;
+
+  static Places8 load(const std::uint32_t* words) {
+    Places8 places;
+    __builtin_memcpy(places.v, words, sizeof places.v);
+    return places;
+  }
+  Places8 next(int bits) const {
+    Places8 places = *this;
+    places.shift = bits;
+    return places;
+  }
+  template <int kEights>
+  Float8 in(const float* row) const {
+    float found[8];
+    for (int lane = 0; lane < 8; ++lane) found[lane] = row[v[lane] >> shift & 31];
+    return Float8::load(found);
+  }
+};
+
+#endif
 
 // Compaction: of list[0 .. count) those whose mask has bit `bit`, in order, go to `out`; returns
 // how many. Reads and writes up to a multiple of 16 entries.

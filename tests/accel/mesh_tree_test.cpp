@@ -1,0 +1,125 @@
+// MeshTree: its leaves give back the mesh's own triangles, in few bytes.
+#include "accel/mesh_tree.h"
+
+#include <cmath>
+#include <vector>
+
+#include "check.h"
+#include "random.h"
+#include "geometry/shapes.h"
+
+namespace {
+
+using accel::MeshTree;
+
+/// Each face that any leaf holds is looked up there and in the mesh.
+class Inspection {
+ public:
+  Inspection(const MeshGeometry& mesh, int threads) : mesh_(mesh), seen_(mesh.faceCount()) {
+    const MeshTree tree(mesh, threads);
+    const accel::WideBvh& bvh = tree.bvh();
+    bytes_ = bvh.bytes();
+    for (std::size_t i = 0; i < bvh.nodeCount; ++i) {
+      for (const std::uint32_t child : bvh.root()[i].child) {
+        if ((child & accel::kLeafBit) != 0) {
+          look(tree, bvh.words() + (child & ~accel::kLeafBit));
+        }
+      }
+    }
+  }
+  double bytesPerTriangle() const { return double(bytes_) / mesh_.faceCount(); }
+  std::size_t wrong() const { return wrong_; }
+  std::size_t notOnce() const {
+    std::size_t count = 0;
+    for (const int times : seen_) count += times != 1;
+    return count;
+  }
+  /// Leaves with up to 8, up to 16, and up to 24 vertices.
+  const int* leaves() const { return leaves_; }
+
+ private:
+  void look(const MeshTree& tree, const std::uint32_t* words) {
+    ++leaves_[(accel::verticesOf(*words) - 1) / 8];
+    for (int lane = 0; lane < accel::countOf(*words); ++lane) {
+      const MeshTree::Triangle found = tree.triangleAt(words, lane);
+      ++seen_.at(found.face);
+      const auto [a, b, c] = mesh_.corners(found.face);
+      if (found.a != a || found.b != b || found.c != c) ++wrong_;
+    }
+  }
+
+  const MeshGeometry& mesh_;
+  std::vector<int> seen_;
+  std::size_t bytes_ = 0, wrong_ = 0;
+  int leaves_[3] = {};
+};
+
+/// Triangles along a line; where vertices are shared, most corners are among the last twenty.
+MeshGeometry randomMesh(std::size_t faces, bool isShared, double size, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3f> vertices;
+  std::vector<MeshGeometry::Face> list;
+  for (std::size_t i = 0; i < faces; ++i) {
+    const std::size_t known = vertices.size();
+    MeshGeometry::Face face;
+    for (std::uint32_t& corner : face) {
+      if (isShared && known > 20 && random.index(3) != 0) {
+        corner = std::uint32_t(known - 1 - std::size_t(random.index(20)));
+      } else {
+        corner = std::uint32_t(vertices.size());
+        const Vec3d place = Vec3d(double(i) / double(faces), 0, 0) + random.inCube(-0.01, 0.01);
+        vertices.push_back(Vec3f(place * size));
+      }
+    }
+    list.push_back(face);
+  }
+  return MeshGeometry(vertices, list);
+}
+
+/// n x n vertices of a bent sheet; the two halves of a square are far from each other in the file.
+MeshGeometry sheet(std::uint32_t n) {
+  std::vector<Vec3f> vertices;
+  std::vector<MeshGeometry::Face> faces, others;
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const double x = double(i % n) / n, y = double(i / n) / n;
+    vertices.push_back(Vec3f(Vec3d(x, y, 0.1 * x * y)));
+    if (i % n + 1 == n || i / n + 1 == n) continue;
+    faces.push_back({i, i + 1, i + n + 1});
+    others.push_back({i, i + n + 1, i + n});
+  }
+  faces.insert(faces.end(), others.begin(), others.end());
+  return MeshGeometry(vertices, faces);
+}
+
+}  // namespace
+
+TEST("leaves give back the corners of every face, bit for bit") {
+  int leaves[3] = {};
+  // The smallest lose digits when they are scaled, so that the mesh itself is asked.
+  for (const double size : {1.0, 3e5, 1e-3, 1e-38}) {
+    for (const std::size_t faces : {std::size_t(1), std::size_t(7), std::size_t(400)}) {
+      for (const bool isShared : {true, false}) {
+        const MeshGeometry mesh = randomMesh(faces, isShared, size, faces);
+        const Inspection found(mesh, 1);
+        CHECK_EQUAL(found.wrong(), std::size_t(0));
+        CHECK_EQUAL(found.notOnce(), mesh.countFlatFaces());
+        for (int i = 0; i < 3; ++i) leaves[i] += found.leaves()[i];
+      }
+    }
+  }
+  CHECK(leaves[0] > 10 && leaves[1] > 10 && leaves[2] > 10);
+}
+
+TEST("a large mesh is whole when several threads write its leaves") {
+  const MeshGeometry mesh = sheet(150);
+  const Inspection found(mesh, 3);
+  CHECK_EQUAL(found.wrong(), std::size_t(0));
+  CHECK_EQUAL(found.notOnce(), std::size_t(0));
+}
+
+TEST("a triangle of an ordinary mesh takes at most 32 bytes") {
+  // Seven triangles in a patch have about 9 vertices: head and places 20 bytes, vertices 108, face
+  // numbers 28, so 22.3 a triangle; and a node of 256 bytes for about 30 triangles.
+  CHECK(Inspection(sheet(200), 2).bytesPerTriangle() < 32);
+  CHECK(Inspection(shapes::ball(6), 1).bytesPerTriangle() < 32);
+}
