@@ -110,8 +110,7 @@ std::vector<ComparedPair> compareTable(const CompareRequest& request, const RunR
   for (const std::string& name : expected) {
     const std::string file = inFolder(request.expected, name);
     if (taken.count(file) > 0) continue;
-    pairs.push_back({name, file, ""});
-    pairs.back().fail(Result::missing, "no command gives this picture");
+    pairs.push_back({name, file, "", Result::missing, "no command gives this picture"});
   }
   return pairs;
 }

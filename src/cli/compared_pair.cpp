@@ -96,8 +96,7 @@ std::vector<ComparedPair> pairsIn(const std::string& expected, const std::string
   // Whoever has been nobody's partner is alone.
   for (const std::string& name : actualNames) {
     if (taken.count(name) > 0) continue;
-    pairs.push_back({name, "", inFolder(actual, name)});
-    pairs.back().fail(Result::unexpected, "no expected picture");
+    pairs.push_back({name, "", inFolder(actual, name), Result::unexpected, "no expected picture"});
   }
   std::sort(pairs.begin(), pairs.end(),
             [](const ComparedPair& a, const ComparedPair& b) { return a.name < b.name; });

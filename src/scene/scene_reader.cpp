@@ -38,7 +38,7 @@ void SceneReader::readSection() {
   } else if (word == "Background") {
     readBackground();
   } else if (word == "Materials") {
-    reportSecond("Materials", hasMaterials_);
+    reportSecond("Materials");
     if (hasGroup_) {
       in_.report(in_.at(), "expected Materials before the first Group, found it after one");
     }
@@ -69,16 +69,14 @@ void SceneReader::readMisplaced() {
 }
 
 /// Camera, Lights, Background and Materials may stand once. The second one is read all the same.
-void SceneReader::reportSecond(std::string_view what, bool& isSeen) {
-  if (isSeen) {
-    in_.report(in_.at(), "a second " + std::string(what) + ": expected only one, found " +
-                             quoted(in_.word()));
-  }
-  isSeen = true;
+void SceneReader::reportSecond(std::string_view what) {
+  if (seen_.insert(what).second) return;
+  in_.report(in_.at(),
+             "a second " + std::string(what) + ": expected only one, found " + quoted(in_.word()));
 }
 
 void SceneReader::readCamera() {
-  reportSecond("camera", hasCamera_);
+  reportSecond("camera");
   const std::string_view owner = in_.word();
   in_.advance();
   Fields fields = {"every camera", owner};
@@ -101,7 +99,7 @@ void SceneReader::readCamera() {
 }
 
 void SceneReader::readLights() {
-  reportSecond("Lights", hasLights_);
+  reportSecond("Lights");
   lightsAt_ = in_.at();
   in_.advance();
   in_.readCounted({"Lights", "numLights", kLightWords, kLightWords}, [this] { readLight(); });
@@ -127,7 +125,7 @@ void SceneReader::readLight() {
 }
 
 void SceneReader::readBackground() {
-  reportSecond("Background", hasBackground_);
+  reportSecond("Background");
   in_.advance();
   Fields fields = {"Background"};
   in_.readFields("Background", fields);
@@ -138,7 +136,7 @@ void SceneReader::readBackground() {
 
 /// What can only be said once everything is read.
 void SceneReader::finish() {
-  if (!hasCamera_ && !hasMisplaced_) {
+  if (seen_.count("camera") == 0 && !hasMisplaced_) {
     in_.reportExpected("an OrthographicCamera or a PerspectiveCamera in the scene");
   }
   if (scene_.lights_.empty()) {

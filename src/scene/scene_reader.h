@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -164,7 +165,7 @@ class SceneReader {
  private:
   void readSection();
   void readMisplaced();
-  void reportSecond(std::string_view what, bool& isSeen);
+  void reportSecond(std::string_view what);
   void readCamera();
   void readLights();
   void readLight();
@@ -178,7 +179,7 @@ class SceneReader {
   MaterialReader materials_;
   ObjectReader objects_;
   const char* lightsAt_ = nullptr;
-  bool hasCamera_ = false, hasLights_ = false, hasBackground_ = false, hasMaterials_ = false;
+  std::set<std::string_view> seen_;  // of what may stand once
   bool hasGroup_ = false;
   bool hasMisplaced_ = false;  // something outside all sections: it may be a section's broken name
 };
