@@ -130,7 +130,7 @@ RayTestCounts costOf(const Parts& parts) {
 }
 
 void expectAtMostTwice(const RayTestCounts& found, const RayTestCounts& alone) {
-  // A ground in sight adds a box for all rays, and two faces for each.
+  // A ground in sight adds a box and two faces for each of the rays.
   const std::uint64_t base = 4000;
   CHECK(found.nearest.primitives <= 2 * alone.nearest.primitives + base);
   CHECK(found.shadow.primitives <= 2 * alone.shadow.primitives + base);
@@ -224,4 +224,46 @@ TEST("a thousand faces in one place cost what a few do") {
   few.addBall(1, {9, 0, 0});
   many.addBall(1, {9, 0, 0});
   expectAtMostTwice(costOf(many), costOf(few));
+}
+
+TEST("a huge ground and a far sun cost the spheres and triangles between them no more tests") {
+  Owner owner;
+  Group alone, between;
+  Random random(11);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3d center = random.inCube(0, 2);
+    const auto* ball = &owner.make<Sphere>(center, 0.02, owner.material(0));
+    const auto* flat = &owner.make<Triangle>(center + Vec3d(0.1, 0, 0), center + Vec3d(0, 0.1, 0),
+                                             center + Vec3d(0, 0, 0.1), owner.material(1));
+    for (Group* group : {&alone, &between}) {
+      group->addObject(ball);
+      group->addObject(flat);
+    }
+  }
+  between.addObject(&owner.make<Sphere>(Vec3d(0, -1e6, 0), 1e6, owner.material(2)));
+  between.addObject(&owner.make<Sphere>(Vec3d(1e7, 3e7, -2e7), 1e4, owner.material(2)));
+  const auto costOf = [](const Group& group) {
+    TestTally tally;
+    const CompiledScene scene(group, 1, SimdLevel::automatic, &tally);
+    Random fan(12);
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3d to = fan.inCube(0, 2);
+      Hit hit;
+      scene.intersect(Ray({1, 1, 9}, to - Vec3d(1, 1, 9)), hit, 0);
+      scene.occluded(Ray(to, {0.3, 1, -0.6}), 0, kInf);
+    }
+    return tally.total();
+  };
+  const RayTestCounts cost = costOf(alone);
+  CHECK(cost.nearest.primitives > 4000);
+  expectAtMostTwice(costOf(between), cost);
+
+  Comparison comparison(between, "between");
+  for (int i = 0; i < casesFor(600); ++i) {
+    const Vec3d from = random.inCube(-4, 4), to = random.inCube(0, 2);
+    comparison.ask(Ray(from, to - from), random.index(2) ? 0 : -1, random.index(2) ? kInf : 1);
+    comparison.askCrossings(Ray(from, to - from));
+  }
+  CHECK_EQUAL(comparison.firstFailure(), "");
+  CHECK(comparison.hits() > casesFor(600) / 2);
 }
