@@ -4,8 +4,8 @@
 // tasks; then the threads take the tasks, the largest first. Which ranges become tasks depends on
 // the number of threads, but the tree does not: each split is a function of its items alone. On the
 // way back up every node learns what its subtree costs as 1 to 7 children of a wide node, from the
-// costs of its two halves. Each range of items has a stretch of nodes of its own, so that tasks
-// need no lock.
+// costs of its two halves. Tasks take nodes in blocks, so that they need no lock, and memory is
+// filled from the front.
 #include "accel/binary_tree.h"
 
 #include <algorithm>
@@ -29,10 +29,14 @@ std::size_t mostInTask(std::size_t count, int threads) {
              : std::max(count / (std::size_t(threads) * kTasksPerThread), ThreadPool::kLeastShared);
 }
 
-/// Every item has room for two nodes; above the tasks a level has at most one node for each
-/// mostInTask items.
+/// Nodes that a task takes at a time.
+constexpr std::uint32_t kBlock = 64;
+
+/// Every item has room for two nodes, and what is above the tasks for as many; there a level has at
+/// most one node for each mostInTask items. Each task may leave a block unfinished.
 std::size_t nodesFor(std::size_t count, int threads) {
-  return 2 * count + 1 + 2 * std::size_t(kMostSplits) * (count / mostInTask(count, threads) + 1);
+  return 2 * count + (kBlock + 2) * std::size_t(kMostSplits) *
+                         (count / mostInTask(count, threads) + 1);
 }
 
 void setBox(BinaryNode& node, const Box4& box) {
@@ -54,9 +58,9 @@ Box4 boxOf(const BinaryNode& node) { return {Float4::load(node.low), Float4::loa
 /// Builds one range with one thread.
 class BinaryTree::Subtree {
  public:
-  Subtree(BinaryTree& tree, std::size_t firstItem, std::vector<std::uint8_t>& leafSizes)
+  Subtree(BinaryTree& tree, std::vector<LeafSize>& leafSizes)
       : nodes_(tree.nodes()),
-        next_(std::uint32_t(2 * firstItem + 1)),
+        used_(tree.used_),
         uniform_(tree.uniform_),
         memoryPrice_(tree.memoryPrice_),
         leafSizes_(leafSizes) {}
@@ -65,14 +69,15 @@ class BinaryTree::Subtree {
   CollapseCost build(const BuildRange& range, std::uint32_t index) {
     BinaryNode& node = nodes_[index];
     setBox(node, range.box);
-    if (fitsLeaf(range, uniform_)) {
+    if (const int primitives = fittingLeaf(range, uniform_)) {
       node.plan = CollapsePlan::kLeaf;
-      leafSizes_.push_back(std::uint8_t(range.count));
+      leafSizes_.push_back({std::uint8_t(range.count), std::uint8_t(primitives)});
       return CollapseCost::ofLeaf(halfArea(range.box));
     }
     assert(range.splits < kMostSplits);
     BuildRange left, right;
     splitRange(range, uniform_, alone_, left, right);
+    if (next_ % kBlock == 0) next_ = used_.fetch_add(kBlock);
     const std::uint32_t pair = next_;
     next_ += 2;
     node.children = pair;
@@ -82,29 +87,30 @@ class BinaryTree::Subtree {
 
  private:
   BinaryNode* nodes_;
-  std::uint32_t next_;
+  std::atomic<std::uint32_t>& used_;
+  std::uint32_t next_ = 0;
   const bool uniform_;
   const float memoryPrice_;
   ThreadPool alone_;
-  std::vector<std::uint8_t>& leafSizes_;
+  std::vector<LeafSize>& leafSizes_;
 };
 
 BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
-    : memory_(nodesFor(count, pool.threads()) * sizeof(BinaryNode), PageBuffer::Pages::small),
-      items_(items),
+    : memory_(nodesFor(count, pool.threads()) * sizeof(BinaryNode)),
+      used_(kRoot + 2),  // the root's pair is not used
       pool_(pool),
-      mostInTask_(mostInTask(count, pool.threads())),
-      nextTop_(std::uint32_t(2 * count + 1)) {
+      mostInTask_(mostInTask(count, pool.threads())) {
   const BuildRange whole = wholeRange(items, count);
   memoryPrice_ = memoryPrice(whole.box, count);
   splitTop(whole, kRoot);
+  used_ = (used_ + kBlock - 1) / kBlock * kBlock;
   runTasks();
   std::size_t task = 0;
   finishTop(kRoot, task);
 }
 
-std::vector<std::uint8_t> BinaryTree::leafSizes() const {
-  std::vector<std::uint8_t> sizes;
+std::vector<LeafSize> BinaryTree::leafSizes() const {
+  std::vector<LeafSize> sizes;
   for (const Task& task : tasks_) {
     sizes.insert(sizes.end(), task.leafSizes.begin(), task.leafSizes.end());
   }
@@ -141,9 +147,9 @@ void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index) {
   BuildRange left, right;
   splitRange(range, uniform_, pool_, left, right);
   setBox(node, range.box);
-  node.children = nextTop_;
+  node.children = used_;
   node.plan = kTopPlan;
-  nextTop_ += 2;
+  used_ += 2;
   splitTop(left, node.children);
   splitTop(right, node.children + 1);
 }
@@ -155,7 +161,7 @@ void BinaryTree::runTasks() {
             [](const Task* a, const Task* b) { return a->range.count > b->range.count; });
   pool_.forEachIndex(bySize.size(), [&](std::size_t i) {
     Task& task = *bySize[i];
-    Subtree subtree(*this, std::size_t(task.range.first - items_), task.leafSizes);
+    Subtree subtree(*this, task.leafSizes);
     task.cost = subtree.build(task.range, task.node);
   });
 }

@@ -7,6 +7,7 @@
 // 2017.
 #pragma once
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -31,39 +32,47 @@ class CollapsePlan {
 };
 
 struct CollapseCost {
-  float least[kWidth];  ///< [i]: with up to i children, 1 <= i < kWidth; [0] is unused
+  int most;             ///< as many children at most: the number of its leaves, up to kWidth - 1
+  float least[kWidth];  ///< [i]: with up to i children, 1 <= i <= most; [0] is unused
 
   /// A leaf of an area.
-  static CollapseCost ofLeaf(float area) {
-    CollapseCost cost;
-    for (float& c : cost.least) c = area;
-    return cost;
-  }
+  static CollapseCost ofLeaf(float area) { return {1, {area, area}}; }
   /// A node over two subtrees, where being a node of its own costs `price`; stores its plan.
   static CollapseCost ofNode(float price, const CollapseCost& first, const CollapseCost& second,
                              std::uint32_t& plan) {
-    float open[kWidth + 1];
+    float open[kWidth + 1];  // more slots than there are leaves are of no use
+    int best = 1;
     std::uint32_t found = 0;
-    for (int slots = 2; slots <= kWidth; ++slots) {
-      int best = 1;
-      open[slots] = first.least[1] + second.least[slots - 1];
-      for (int k = 2; k < slots; ++k) {
+    const int useful = std::min(first.most + second.most, kWidth);
+    for (int slots = 2; slots <= useful; ++slots) {
+      best = std::max(1, slots - second.most);
+      open[slots] = first.least[best] + second.least[slots - best];
+      for (int k = best + 1; k <= std::min(first.most, slots - 1); ++k) {
         const float cost = first.least[k] + second.least[slots - k];
         best = cost < open[slots] ? k : best;
         open[slots] = std::min(open[slots], cost);
       }
       found |= std::uint32_t(best) << (3 * (slots - 2));
     }
+    for (int slots = useful + 1; slots <= kWidth; ++slots) {
+      found |= std::uint32_t(first.most) << (3 * (slots - 2));
+    }
     CollapseCost cost;
-    cost.least[0] = cost.least[1] = open[kWidth] + price;
+    cost.most = std::min(useful, kWidth - 1);
+    cost.least[1] = open[useful] + price;
     std::uint32_t openFrom = kWidth;
-    for (int slots = kWidth - 1; slots >= 2; --slots) {
+    for (int slots = cost.most; slots >= 2; --slots) {
       cost.least[slots] = std::min(cost.least[1], open[slots]);
       if (open[slots] < cost.least[1]) openFrom = std::uint32_t(slots);
     }
     plan = found | openFrom << 21;
     return cost;
   }
+};
+
+/// How much a leaf holds.
+struct LeafSize {
+  std::uint8_t items, primitives;
 };
 
 struct BinaryNode {
@@ -82,15 +91,15 @@ class BinaryTree {
 
   static constexpr std::uint32_t kRoot = 0;
   const BinaryNode& node(std::uint32_t index) const { return nodes()[index]; }
-  /// How many items each leaf has, in the order of the items.
-  std::vector<std::uint8_t> leafSizes() const;
+  /// In the order of the items.
+  std::vector<LeafSize> leafSizes() const;
 
  private:
   struct Task {
     BuildRange range;
     std::uint32_t node;
     CollapseCost cost;
-    std::vector<std::uint8_t> leafSizes;
+    std::vector<LeafSize> leafSizes;
   };
   class Subtree;
 
@@ -101,11 +110,10 @@ class BinaryTree {
   void runTasks();
   CollapseCost finishTop(std::uint32_t node, std::size_t& task);
 
-  PageBuffer memory_;  ///< BinaryNodes; each range of items has a stretch of its own
-  const BuildItem* items_;
+  PageBuffer memory_;                ///< BinaryNodes
+  std::atomic<std::uint32_t> used_;  ///< blocks of them are taken from here on
   ThreadPool& pool_;
   std::size_t mostInTask_;
-  std::uint32_t nextTop_;
   bool uniform_ = true;
   float memoryPrice_ = 0;
   std::vector<Task> tasks_;

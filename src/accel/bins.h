@@ -44,7 +44,7 @@ class Bins {
     toInt((centerOf(box) - binning.base) * binning.scale).store(slot);
     for (int axis = 0; axis < 3; ++axis) {
       boxes_[slot[axis]][axis].extend(box);
-      ++counts_[slot[axis]][axis];
+      counts_[slot[axis]][axis] += item.primitives;
     }
   }
   /// Relative surfaces of the boxes on three axes, one a lane.

@@ -27,8 +27,10 @@ namespace {
 
 /// Leaves that are written in one go, to a place of their own.
 constexpr std::size_t kLeavesPerBatch = 64;
-/// Batches that one thread writes before the memory of their items is given back.
-constexpr std::size_t kBatchesPerRun = 32;
+/// Batches that one thread writes before the memory of their items is given back, for 1 M triangles
+/// about 1 MB at a time: given back by less, large pages fall apart, and reading what is left of
+/// them takes twice as long.
+constexpr std::size_t kBatchesPerRun = 128;
 
 /// A node so much smaller than the frame that it is in begins another.
 constexpr float kFrameStep = 0x1p-12f;
@@ -36,19 +38,19 @@ constexpr float kFrameStep = 0x1p-12f;
 /// Writes all leaves of a tree.
 class Leaves {
  public:
-  /// `sizes` says how many of the items each leaf has.
-  Leaves(std::vector<std::uint8_t> sizes, BuildItems& items, const LeafWriter& writer)
-      : sizes_(std::move(sizes)), items_(items), writer_(writer) {
+  Leaves(std::vector<LeafSize> sizes, BuildItems& items, const LeafWriter& writer)
+      : sizes_(std::move(sizes)), words_(sizes_.size()), items_(items), writer_(writer) {
     std::size_t item = 0;
     for (std::size_t leaf = 0; leaf < sizes_.size(); ++leaf) {
       if (leaf % kLeavesPerBatch == 0) batches_.push_back({item, 0});
-      item += sizes_[leaf];
+      item += sizes_[leaf].items;
+      mostWords_ += std::size_t(kFirstRow + kMostTriangleWords * sizes_[leaf].primitives);
     }
+    if (mostWords_ >= kLeafBit) throw std::length_error("too many primitives for one tree");
   }
 
   void write(WideBvh& bvh, ThreadPool& pool) {
-    const std::size_t most = 1 + kFirstRow * sizes_.size() + kMostItemWords * items_.count();
-    bvh.leaves = PageBuffer((most + kWidth) * sizeof(std::uint32_t));
+    bvh.leaves = PageBuffer((mostWords_ + kWidth) * sizeof(std::uint32_t));
     std::uint32_t* words = static_cast<std::uint32_t*>(bvh.leaves.data());
     pool.forEachIndex((batches_.size() + kBatchesPerRun - 1) / kBatchesPerRun, [&](std::size_t i) {
       const std::size_t first = i * kBatchesPerRun,
@@ -65,7 +67,7 @@ class Leaves {
   /// Where leaf `leaf` is; `before` is where the leaf before it is.
   std::uint32_t offsetOf(std::size_t leaf, std::uint32_t before) const {
     return leaf % kLeavesPerBatch == 0 ? batches_[leaf / kLeavesPerBatch].word
-                                       : before + sizes_[leaf - 1];
+                                       : before + words_[leaf - 1];
   }
 
  private:
@@ -80,11 +82,11 @@ class Leaves {
     const std::size_t first = number * kLeavesPerBatch,
                       end = std::min(first + kLeavesPerBatch, sizes_.size());
     for (std::size_t leaf = first; leaf < end; ++leaf) {
-      const int count = sizes_[leaf];
+      const int count = sizes_[leaf].items;
       const BuildItem* items = items_.data() + item;
       writer_.prepare(items, count, items_.count() - item);
-      sizes_[leaf] = std::uint8_t(writer_.write(items, count, written + size));
-      size += sizes_[leaf];
+      words_[leaf] = std::uint8_t(writer_.write(items, count, written + size));
+      size += words_[leaf];
       item += std::size_t(count);
     }
     const std::size_t place = next_.fetch_add(size);
@@ -92,8 +94,10 @@ class Leaves {
     std::copy(written, written + size, words + place);
   }
 
-  std::vector<std::uint8_t> sizes_;  // in items, and in words once it is written
+  std::vector<LeafSize> sizes_;
+  std::vector<std::uint8_t> words_;  // of each leaf
   std::vector<Batch> batches_;
+  std::size_t mostWords_ = 1;
   std::atomic<std::size_t> next_{1};  // offset 0 means no leaf
   BuildItems& items_;
   const LeafWriter& writer_;
@@ -224,7 +228,6 @@ std::uint32_t leafHead(float edge, LeafKind kind, int count, int vertices) {
 
 void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, ThreadPool& pool) {
   if (items.count() == 0) return;
-  if (items.count() > kMostItems) throw std::length_error("too many primitives for one tree");
   const bool isMesh = items.data()[0].kind == LeafKind::meshTriangles;
   const BinaryTree tree(items.data(), items.count(), pool);
   Leaves leaves(tree.leafSizes(), items, writer);

@@ -8,13 +8,14 @@
 
 namespace accel {
 
-/// A primitive to be sorted into the tree: its box in the normalised space, rounded outwards,
-/// finite.
+/// Primitives id to id + primitives - 1, one or two, to be sorted into the tree together: their box
+/// in the normalised space, rounded outwards, finite.
 struct BuildItem {
   float low[3];
   std::uint32_t id;
   float high[3];
   LeafKind kind;
+  std::uint16_t primitives = 1;
 };
 static_assert(sizeof(BuildItem) == 32, "two to a cache line");
 
@@ -26,8 +27,11 @@ class BuildItems {
 
   BuildItem* data() { return static_cast<BuildItem*>(memory_.data()); }
   std::size_t count() const { return count_; }
-  /// Says how many of them, from the front, there are.
-  void setCount(std::size_t count) { count_ = count; }
+  /// Says how many of them, from the front, there are; there is no room for more then.
+  void setCount(std::size_t count) {
+    count_ = count;
+    memory_.shrink(count * sizeof(BuildItem));
+  }
   void add(const BuildItem& item) { data()[count_++] = item; }
   /// Gives back the memory of items [begin, end) as far as it fills pages. Thread-safe.
   void discard(std::size_t begin, std::size_t end) {
@@ -53,20 +57,17 @@ class LeafWriter {
 /// The head of a leaf: `edge` rounded up a little; see LeafKind.
 std::uint32_t leafHead(float edge, LeafKind kind, int count, int vertices = 0);
 
-/// The most words of an item, a triangle that shares no vertex, and of a leaf.
-constexpr int kMostItemWords = 10, kMostLeafWords = kFirstRow + 8 * kMostItemWords;
+/// The most words of a triangle, which shares no vertex, and of a leaf.
+constexpr int kMostTriangleWords = 10, kMostLeafWords = kFirstRow + 8 * kMostTriangleWords;
 
 /// The most primitives a leaf may hold.
 constexpr int mostInLeaf(LeafKind kind) { return kind == LeafKind::objects ? 1 : 8; }
 
-/// So many that leaves of one triangle each can still be told apart by 31 bits.
-constexpr std::size_t kMostItems = 0x7fffff00u / (kFirstRow + kMostItemWords);
-
 /// Builds nodes and leaves of `bvh`, whose anchor and scale are set and whose box this sets, over
-/// up to kMostItems items (more: std::length_error), whose memory is given back as the leaves are
-/// written. The tree is a function of the items alone, but where its leaves are is not. Binary
-/// splits by the binned surface area heuristic, collapsed into nodes of eight at the least expected
-/// cost.
+/// `items` (where they are too many for 31 bits to tell leaves apart: std::length_error), whose
+/// memory is given back as the leaves are written. The tree is a function of the items alone, but
+/// where its leaves are is not. Binary splits by the binned surface area heuristic, collapsed into
+/// nodes of eight at the least expected cost.
 /// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
 /// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 /// 2017.

@@ -13,11 +13,14 @@ namespace accel {
 
 inline Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
-/// The boxes of all faces that have an area, by rising numbers, times `scale`.
-BuildItems meshItems(const MeshGeometry& geometry, float scale, ThreadPool& pool);
+/// The boxes of all faces that have an area, by rising numbers, times `scale`. With `inPairs`
+/// neighbours by number that share an edge are one item where one box for both is not larger than
+/// the two together.
+BuildItems meshItems(const MeshGeometry& geometry, float scale, bool inPairs, ThreadPool& pool);
 
 /// Of all faces that have the same corners as one of `faces`, takes all but the first out of
-/// `items`, which are as meshItems gives them. Returns those that have copies, sorted by face.
+/// `items`, which are as meshItems gives them, not in pairs. Returns those that have copies, sorted
+/// by face.
 std::vector<FaceCopies> dropCopies(const MeshGeometry& geometry,
                                    const std::vector<std::uint32_t>& faces, BuildItems& items);
 

@@ -63,9 +63,9 @@ constexpr std::size_t kPilesThatPay = 64;
 /// Faces of leaves in which all have the same box. Any thread may add.
 class Piles {
  public:
-  void add(const BuildItem* items, int count) {
+  void add(const std::uint32_t* words, int count) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (int i = 0; i < count; ++i) faces_.push_back(items[i].id);
+    for (int i = 0; i < count; ++i) faces_.push_back(words[i] & ~kIdBit);
   }
   const std::vector<std::uint32_t>& faces() const { return faces_; }
 
@@ -83,10 +83,17 @@ class MeshLeafWriter : public LeafWriter {
   int write(const BuildItem* items, int count, std::uint32_t* words) const override {
     LocalVertices local;
     std::uint16_t places[8];
-    for (int i = 0; i < 8; ++i) {
-      places[i] = i < count ? local.placesOf(geometry_.getFaces()[items[i].id]) : places[i - 1];
+    std::uint32_t faces[8];
+    int n = 0;
+    for (const BuildItem* item = items; item != items + count; ++item) {
+      for (std::uint32_t face = item->id; face != item->id + item->primitives; ++face) {
+        places[n] = local.placesOf(geometry_.getFaces()[face]);
+        faces[n++] = face | kIdBit;
+      }
     }
+    std::fill(places + n, places + 8, places[n - 1]);
     std::memcpy(words + 1, places, sizeof places);
+    std::copy(faces, faces + n, words + kFirstRow + 3 * local.count);
     Vec3f vertices[LocalVertices::kMost];
     for (int k = 0; k < local.count; ++k) {
       vertices[k] = geometry_.getVertices()[local.vertex(k)] * scale_;
@@ -96,16 +103,14 @@ class MeshLeafWriter : public LeafWriter {
       }
     }
     float edge = 0;
-    std::uint32_t* faces = words + kFirstRow + 3 * local.count;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < n; ++i) {
       const Vec3f& a = vertices[placeOf(places[i], 0)];
       edge = std::max({edge, maxAbs(vertices[placeOf(places[i], 1)] - a),
                        maxAbs(vertices[placeOf(places[i], 2)] - a)});
-      faces[i] = items[i].id | kIdBit;
     }
-    words[0] = leafHead(edge, LeafKind::meshTriangles, count, local.count);
-    if (isPile(items, count)) piles_.add(items, count);
-    return kFirstRow + 3 * local.count + count;
+    words[0] = leafHead(edge, LeafKind::meshTriangles, n, local.count);
+    if (isPile(items, count, n)) piles_.add(faces, n);
+    return kFirstRow + 3 * local.count + n;
   }
 
   /// The items come in no order of the mesh, so every face and vertex would be waited for.
@@ -113,8 +118,11 @@ class MeshLeafWriter : public LeafWriter {
     constexpr std::size_t kFacesAhead = 48, kVerticesAhead = 24;
     for (; count > 0 && left > kFacesAhead; --count, --left, ++items) {
       prefetch(&geometry_.getFaces()[items[kFacesAhead].id]);
-      for (const std::uint32_t vertex : geometry_.getFaces()[items[kVerticesAhead].id]) {
-        prefetch(&geometry_.getVertices()[vertex]);
+      const BuildItem& item = items[kVerticesAhead];
+      for (std::uint32_t face = item.id; face != item.id + item.primitives; ++face) {
+        for (const std::uint32_t vertex : geometry_.getFaces()[face]) {
+          prefetch(&geometry_.getVertices()[vertex]);
+        }
       }
     }
   }
@@ -122,8 +130,8 @@ class MeshLeafWriter : public LeafWriter {
  private:
   /// Whether all boxes are the same. More of them than a leaf takes are halved by number, so that
   /// half a leaf of them is left at least.
-  static bool isPile(const BuildItem* items, int count) {
-    return count >= mostInLeaf(LeafKind::meshTriangles) / 2 &&
+  static bool isPile(const BuildItem* items, int count, int faces) {
+    return faces >= mostInLeaf(LeafKind::meshTriangles) / 2 && count > 1 &&
            std::all_of(items + 1, items + count, [&](const BuildItem& item) {
              return std::equal(item.low, item.low + 3, items[0].low) &&
                     std::equal(item.high, item.high + 3, items[0].high);
@@ -177,9 +185,9 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     exact_ = scalesExactly(geometry.getVertices(), scale, pool);
     Piles piles;
     const MeshLeafWriter writer(geometry, scale, piles);
-    buildWideBvh(bvh_, meshItems(geometry, scale, pool), writer, pool);
+    buildWideBvh(bvh_, meshItems(geometry, scale, true, pool), writer, pool);
     if (piles.faces().size() < kPilesThatPay) return;
-    BuildItems items = meshItems(geometry, scale, pool);
+    BuildItems items = meshItems(geometry, scale, false, pool);
     copies_ = dropCopies(geometry, piles.faces(), items);
     if (copies_.empty()) return;
     bvh_ = {};

@@ -203,11 +203,15 @@ void halve(const BuildRange& range) {
 
 }  // namespace
 
-bool fitsLeaf(const BuildRange& range, bool uniform) {
-  if (range.count > std::size_t(mostInLeaf(range.first->kind))) return false;
-  return uniform ||
-         std::all_of(range.first + 1, range.first + range.count,
-                     [&](const BuildItem& item) { return item.kind == range.first->kind; });
+int fittingLeaf(const BuildRange& range, bool uniform) {
+  const LeafKind kind = range.first->kind;
+  if (range.count > std::size_t(mostInLeaf(kind))) return 0;
+  int primitives = 0;
+  for (const BuildItem* item = range.first; item != range.first + range.count; ++item) {
+    if (!uniform && item->kind != kind) return 0;
+    primitives += item->primitives;
+  }
+  return primitives <= mostInLeaf(kind) ? primitives : 0;
 }
 
 void splitRange(const BuildRange& range, bool uniform, ThreadPool& pool, BuildRange& left,

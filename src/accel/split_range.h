@@ -11,8 +11,8 @@ namespace accel {
 void splitRange(const BuildRange& range, bool uniform, ThreadPool& pool, BuildRange& left,
                 BuildRange& right);
 
-/// True where the range may be one leaf: few enough items, of one kind.
-bool fitsLeaf(const BuildRange& range, bool uniform);
+/// How many primitives the range has where it may be one leaf: few enough, of one kind; else 0.
+int fittingLeaf(const BuildRange& range, bool uniform);
 
 /// The most binary levels of a tree: beyond kMostSahSplits a range is halved by number.
 constexpr int kMostSahSplits = 40;

@@ -35,7 +35,7 @@ constexpr std::uint32_t kFrameBit = 0x40000000u;
 /// 40): head; for each of eight lanes a half word, in which five bits each say where its corners
 /// v0, v1 and v2 are in the rows, lanes above n as the last; rows x, y, z of the vertices, exact;
 /// face numbers.
-enum class LeafKind : std::uint32_t {
+enum class LeafKind : std::uint16_t {
   meshTriangles = 0,
   looseTriangles = 1,  ///< nine rows: v0 rounded, v1 - v0 and v2 - v0 rounded
   spheres = 2,         ///< four rows: centre rounded, radius rounded up

@@ -1,9 +1,9 @@
 // MeshTree: its leaves give back the mesh's own triangles, in few bytes.
 #include "accel/mesh_tree.h"
 
-#include <cmath>
 #include <vector>
 
+#include "accel/mesh_items.h"
 #include "check.h"
 #include "random.h"
 #include "geometry/shapes.h"
@@ -76,8 +76,8 @@ MeshGeometry randomMesh(std::size_t faces, bool isShared, double size, std::uint
   return MeshGeometry(vertices, list);
 }
 
-/// n x n vertices of a bent sheet; the two halves of a square are far from each other in the file.
-MeshGeometry sheet(std::uint32_t n) {
+/// n x n vertices of a bent sheet of squares, whose halves may be far from each other in the file.
+MeshGeometry sheet(std::uint32_t n, bool areFar) {
   std::vector<Vec3f> vertices;
   std::vector<MeshGeometry::Face> faces, others;
   for (std::uint32_t i = 0; i < n * n; ++i) {
@@ -85,7 +85,7 @@ MeshGeometry sheet(std::uint32_t n) {
     vertices.push_back(Vec3f(Vec3d(x, y, 0.1 * x * y)));
     if (i % n + 1 == n || i / n + 1 == n) continue;
     faces.push_back({i, i + 1, i + n + 1});
-    others.push_back({i, i + n + 1, i + n});
+    (areFar ? others : faces).push_back({i, i + n + 1, i + n});
   }
   faces.insert(faces.end(), others.begin(), others.end());
   return MeshGeometry(vertices, faces);
@@ -111,15 +111,35 @@ TEST("leaves give back the corners of every face, bit for bit") {
 }
 
 TEST("a large mesh is whole when several threads write its leaves") {
-  const MeshGeometry mesh = sheet(150);
-  const Inspection found(mesh, 3);
-  CHECK_EQUAL(found.wrong(), std::size_t(0));
-  CHECK_EQUAL(found.notOnce(), std::size_t(0));
+  for (const bool areFar : {true, false}) {
+    const MeshGeometry mesh = sheet(150, areFar);
+    const Inspection found(mesh, 3);
+    CHECK_EQUAL(found.wrong(), std::size_t(0));
+    CHECK_EQUAL(found.notOnce(), std::size_t(0));
+  }
+}
+
+TEST("the halves of a square are one item where one follows the other, copies of a face are not") {
+  const auto itemsOf = [](const MeshGeometry& mesh) {
+    std::size_t items = 0;
+    accel::ThreadPool::run(1, mesh.faceCount(), [&](accel::ThreadPool& pool) {
+      items = accel::meshItems(mesh, 1, true, pool).count();
+    });
+    return items;
+  };
+  CHECK_EQUAL(itemsOf(sheet(10, false)), std::size_t(81));
+  CHECK_EQUAL(itemsOf(sheet(10, true)), std::size_t(162));
+  const std::vector<Vec3f> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {9, 9, 9}};
+  CHECK_EQUAL(itemsOf(MeshGeometry(corners, {{0, 1, 2}, {0, 1, 2}})), std::size_t(2));
+  // A box around both would be far larger than those of each.
+  CHECK_EQUAL(itemsOf(MeshGeometry({{0, 0, 0}, {9, 9, 9}, {9, 9, 8}, {0, 0, 1}, {9, -9, 9}},
+                                   {{0, 1, 2}, {1, 2, 4}})),
+              std::size_t(2));
 }
 
 TEST("a triangle of an ordinary mesh takes at most 32 bytes") {
   // Seven triangles in a patch have about 9 vertices: head and places 20 bytes, vertices 108, face
   // numbers 28, so 22.3 a triangle; and a node of 256 bytes for about 30 triangles.
-  CHECK(Inspection(sheet(200), 2).bytesPerTriangle() < 32);
+  CHECK(Inspection(sheet(200, true), 2).bytesPerTriangle() < 32);
   CHECK(Inspection(shapes::ball(6), 1).bytesPerTriangle() < 32);
 }
