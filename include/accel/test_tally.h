@@ -10,6 +10,8 @@
 #include <functional>
 #include <thread>
 
+#include "geometry/object3d.h"
+
 struct TestCounts {
   std::uint64_t nodes = 0;       ///< of trees, groups and Transforms entered, or cells visited
   std::uint64_t primitives = 0;  ///< spheres, planes, triangles and faces of meshes tested
@@ -52,4 +54,21 @@ class TestTally {
   }
 
   Share shares_[kShares];
+};
+
+/// The plain objects, telling a TestTally what each ray takes. A mesh is one primitive for each of
+/// its faces: all of them for a nearest hit and for crossings, those up to the first hit for a
+/// shadow.
+class CountingTree : public Object3D {
+ public:
+  /// Answers as `root` does and tells `tally`; neither is owned. Any number of threads may ask.
+  CountingTree(const Object3D& root, TestTally& tally) : root_(&root), tally_(&tally) {}
+
+  bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
+  bool occluded(const Ray& ray, double tmin, double tmax) const override;
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
+
+ private:
+  const Object3D* root_;  // not owned
+  TestTally* tally_;      // not owned
 };

@@ -4,6 +4,8 @@
 // ray meets it; intersect then records what lies there, and occluded asks no more.
 // All objects are const while rays are traced, so any number of threads may ask at once.
 #pragma once
+#include <typeinfo>
+
 #include "geometry/hit.h"
 #include "geometry/ray.h"
 #include "math/bounding_box.h"
@@ -71,3 +73,10 @@ struct ShadowQuery {
   ShadowQuery() {}  // were it defaulted, it would first clear all bytes, slowly
   ShadowQuery(const Ray& r, double least, double most) : ray(r), tmin(least), tmax(most) {}
 };
+
+/// `object` (not null) as a T where it is a T itself and not of a class derived from T, which may
+/// answer differently; else null.
+template <class T>
+const T* exactly(const Object3D* object) {
+  return typeid(*object) == typeid(T) ? static_cast<const T*>(object) : nullptr;
+}

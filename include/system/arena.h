@@ -28,17 +28,15 @@ class Arena {
   /// Gives back what has been taken since it was made.
   class Frame {
    public:
-    explicit Frame(Arena& arena) : arena_(arena), block_(arena.block_), used_(arena.used_) {}
-    ~Frame() {
-      arena_.block_ = block_;
-      arena_.used_ = used_;
-    }
+    explicit Frame(Arena& arena) : arena_(arena), block_(arena.block_), next_(arena.next_) {}
+    ~Frame() { arena_.goTo(block_, next_); }
     Frame(const Frame&) = delete;
     Frame& operator=(const Frame&) = delete;
 
    private:
     Arena& arena_;
-    const std::size_t block_, used_;
+    const std::size_t block_;
+    unsigned char* const next_;
   };
 
  private:
@@ -47,9 +45,25 @@ class Arena {
     unsigned char* begin;  // aligned
     std::size_t size;
   };
-  void* takeBytes(std::size_t bytes);
+  static constexpr std::size_t roundedUp(std::size_t bytes) {
+    return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+  }
+  void* takeBytes(std::size_t bytes) {
+    bytes = roundedUp(bytes);
+    if (bytes > std::size_t(end_ - next_)) findRoom(bytes);
+    void* const memory = next_;
+    next_ += bytes;
+    return memory;
+  }
+  void findRoom(std::size_t bytes);
+  void goTo(std::size_t block, unsigned char* next) {
+    // Before the first block there is nothing to go back to but the first one.
+    block_ = block;
+    next_ = next || blocks_.empty() ? next : blocks_[block].begin;
+    end_ = blocks_.empty() ? next : blocks_[block].begin + blocks_[block].size;
+  }
 
   std::vector<Block> blocks_;
-  std::size_t block_ = 0;  // the one in use; those before it are full
-  std::size_t used_ = 0;   // bytes of it
+  std::size_t block_ = 0;                           // the one in use; those before it are full
+  unsigned char *next_ = nullptr, *end_ = nullptr;  // what is free of it
 };

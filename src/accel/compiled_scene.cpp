@@ -12,11 +12,11 @@
 #include "accel/compiled_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <sstream>
 
-#include "accel/exact_type.h"
 #include "accel/mesh_tree.h"
 #include "accel/object_tree.h"
 #include "accel/transform_range.h"
@@ -27,16 +27,27 @@ namespace {
 using accel::Kernels;
 using accel::MeshTree;
 using accel::ObjectTree;
+using accel::Question;
 using accel::RayRange;
 using accel::TreeMember;
 
-/// The rows of the rays that start near enough.
-RowList heldRows(const RayTable& rays, Arena& arena) {
+bool areAllHeld(const RayTable& rays) {
+  bool areHeld = true;
+  for (const double* column : rays.origin) {
+    for (int row = 0; row < rays.count; ++row) {
+      areHeld &= std::fabs(column[row]) <= RayRange::kFarthest;
+    }
+  }
+  return areHeld;
+}
+
+/// The rows of the rays that start near enough, or of the others.
+RowList heldRows(const RayTable& rays, bool areHeld, Arena& arena) {
   auto* rows = arena.take<std::uint16_t>(std::size_t(rays.count));
   int count = 0;
   for (int row = 0; row < rays.count; ++row) {
     rows[count] = std::uint16_t(row);
-    count += RayRange::holds(rays.originOf(row)) ? 1 : 0;
+    count += RayRange::holds(rays.originOf(row)) == areHeld ? 1 : 0;
   }
   return {rows, count};
 }
@@ -53,14 +64,24 @@ Kernels kernelsOf(SimdLevel level) {
 
 struct CompiledScene::Trees {
   Trees(SimdLevel simd, int threadCount, TestTally* tally)
-      : level(simd), kernels(kernelsOf(simd)), threads(threadCount), root(kernels) {
+      : level(simd), kernels(kernelsOf(simd)), threads(threadCount) {
     kernels.tally = tally;
   }
 
-  /// Adds `object` and all below it to `space`, where rays are within `range`. The depth of
+  /// Asks everything for all rays; the plain objects for those that start too far off.
+  void ask(Question& question, const Object3D& plain) const {
+    const RayTable& rays = question.rays();
+    Arena& arena = question.arena();
+    const Arena::Frame frame(arena);
+    if (areAllHeld(rays)) return root.ask(question, RowList::all(rays.count, arena));
+    root.ask(question, heldRows(rays, true, arena));
+    question.askObject(plain, 0, heldRows(rays, false, arena));
+  }
+
+  /// Adds `object` and all below it to `tree`, where rays are within `range`. The depth of
   /// recursion is the scene's nesting.
   void add(ObjectTree& tree, const Object3D* object, const RayRange& range) {
-    if (const auto* group = accel::exactly<Group>(object)) {
+    if (const auto* group = exactly<Group>(object)) {
       for (const Object3D* member : group->getObjects()) {
         if (member) add(tree, member, range);
       }
@@ -70,9 +91,9 @@ struct CompiledScene::Trees {
     member.object = object;
     member.order = nextOrder++;
     accel::TransformError error;
-    if (const auto* mesh = accel::exactly<TriangleMesh>(object)) {
+    if (const auto* mesh = exactly<TriangleMesh>(object)) {
       addMesh(member, *mesh, TreeMember::Kind::mesh);
-    } else if (const auto* transform = accel::exactly<Transform>(object)) {
+    } else if (const auto* transform = exactly<Transform>(object)) {
       error = addTransform(member, *transform, range.inside(*transform));
     }
     tree.add(member, error);
@@ -90,13 +111,13 @@ struct CompiledScene::Trees {
                                      const RayRange& range) {
     const Object3D* inside = transform.getObject();
     accel::TransformError error;
-    if (const auto* mesh = accel::exactly<TriangleMesh>(inside)) {
+    if (const auto* mesh = exactly<TriangleMesh>(inside)) {
       addMesh(member, *mesh, TreeMember::Kind::transformedMesh);
       const bool isTree = member.kind == TreeMember::Kind::transformedMesh;
       if (isTree && !range.fits(member.meshTree->bvh().scale))
         member.kind = TreeMember::Kind::plain;
-    } else if (accel::exactly<Group>(inside) || accel::exactly<Transform>(inside)) {
-      ObjectTree& tree = objectTrees.emplace_back(kernels);
+    } else if (exactly<Group>(inside) || exactly<Transform>(inside)) {
+      ObjectTree& tree = objectTrees.emplace_back();
       add(tree, inside, range);
       tree.finish(threads);
       error = tree.error();
@@ -148,30 +169,14 @@ bool CompiledScene::occluded(const Ray& ray, double tmin, double tmax) const {
 }
 
 void CompiledScene::intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const {
-  const Arena::Frame frame(arena);
-  const RowList held = heldRows(rays, arena);
-  trees_->root.nearest(rays, held, hits, arena);
-  if (held.count == rays.count) return;
-  for (int row = 0; row < rays.count; ++row) {
-    if (RayRange::holds(rays.originOf(row))) continue;
-    Hit hit(rays.tmax[row]);
-    if (!root_->intersect(rays.rayOf(row), hit, rays.tmin[row])) continue;
-    rays.tmax[row] = hit.getT();
-    hits.setRow(row, hit, 0);
-  }
+  accel::NearestQuestion question(trees_->kernels, rays, hits, arena);
+  trees_->ask(question, *root_);
 }
 
 void CompiledScene::occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const {
-  const Arena::Frame frame(arena);
   std::fill(blocked, blocked + rays.count, false);
-  const RowList held = heldRows(rays, arena);
-  trees_->root.occluded(rays, held, blocked, arena);
-  if (held.count == rays.count) return;
-  for (int row = 0; row < rays.count; ++row) {
-    const Ray ray = rays.rayOf(row);
-    if (!RayRange::holds(ray.getOrigin()))
-      blocked[row] = root_->occluded(ray, rays.tmin[row], rays.tmax[row]);
-  }
+  accel::OccludedQuestion question(trees_->kernels, rays, blocked, arena);
+  trees_->ask(question, *root_);
 }
 
 void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
@@ -195,13 +200,8 @@ void CompiledScene::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& 
   whole.tmax = arena.take<double>(std::size_t(rays.count));
   std::fill(whole.tmin, whole.tmin + rays.count, 0.0);
   std::fill(whole.tmax, whole.tmax + rays.count, Hit().getT());
-  const RowList held = heldRows(rays, arena);
-  trees_->root.visitCrossings(whole, held, visitor, arena);
-  if (held.count == rays.count) return;
-  for (int row = 0; row < rays.count; ++row) {
-    CrossingsOfRow crossings(row, visitor);
-    if (!RayRange::holds(rays.originOf(row))) root_->visitCrossings(rays.rayOf(row), crossings);
-  }
+  accel::CrossingsQuestion question(trees_->kernels, whole, visitor, arena);
+  trees_->ask(question, *root_);
 }
 
 SimdLevel CompiledScene::simdLevel() const { return trees_->level; }

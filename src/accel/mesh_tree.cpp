@@ -211,7 +211,7 @@ BoundingBox MeshTree::box() const {
 
 MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {
   const int n = verticesOf(words[0]);
-  const std::uint32_t face = words[kFirstRow + 3 * n + lane] & ~kIdBit;
+  const std::uint32_t face = faceAt(words, lane);
   if (!exact_) {
     return {geometry_->corner(face, 0), geometry_->corner(face, 1), geometry_->corner(face, 2),
             face};

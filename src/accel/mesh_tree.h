@@ -32,6 +32,9 @@ class MeshTree {
   Triangle triangleAt(const std::uint32_t* words, int lane) const;
   /// A face in the tree that has copies, which are not; null for other faces.
   const FaceCopies* copiesOf(std::uint32_t face) const;
+  static std::uint32_t faceAt(const std::uint32_t* words, int lane) {
+    return words[kFirstRow + 3 * verticesOf(*words) + lane] & ~kIdBit;
+  }
 
  private:
   const MeshGeometry* geometry_;  // not owned

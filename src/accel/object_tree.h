@@ -1,25 +1,48 @@
 // ObjectTree: the objects between two Transforms (or above the outermost one), in the space where
 // they stand, with a tree of boxes over them.
+//
+// What has no box (planes, objects of unknown classes) and what is too few for a tree is asked one
+// after the other, in scene order, each for all rays; planes and spheres among it all together.
+// Then the rays walk the tree. A member that the kernels do not know is asked when the walk comes
+// to its box, for the rays that meet it. A hit lowers the ray's bound, so that farther boxes are
+// passed over.
 #pragma once
 #include <cstdint>
+#include <deque>
 #include <vector>
 
+#include "accel/mesh_tree.h"
+#include "accel/question.h"
 #include "accel/transform_range.h"
-#include "accel/mesh_questions.h"
-#include "accel/wide_bvh.h"
-#include "geometry/object3d.h"
 #include "geometry/transform.h"
 #include "geometry/triangle_mesh.h"
 
 namespace accel {
 
-class MeshTree;
 class ObjectTree;
+
+/// A mesh in the scene, and the tree over its triangles. Nothing is owned.
+class AskedMesh : public AskedTree {
+ public:
+  AskedMesh(const TriangleMesh& mesh, const MeshTree& tree, std::uint32_t order)
+      : mesh_(mesh), tree_(tree), order_(order) {}
+  const WideBvh& bvh() const override { return tree_.bvh(); }
+  LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
+  bool takesPlace(LeafPrimitive& face) const override;
+  void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
+                      CrossingVisitor& visitor) const override;
+
+ private:
+  const TriangleMesh& mesh_;
+  const MeshTree& tree_;
+  const std::uint32_t order_;  // place in the scene
+};
 
 /// One object of a tree.
 struct TreeMember {
   enum class Kind : std::uint32_t {
     plain,            ///< asked through its own virtual functions
+    shape,            ///< a plane or a sphere, or a Transform of one
     mesh,             ///< a TriangleMesh with a tree
     transformedMesh,  ///< a Transform of one
     transformedTree   ///< a Transform of what has an ObjectTree of its own
@@ -28,6 +51,7 @@ struct TreeMember {
   union {
     const MeshTree* meshTree;      // not owned
     const ObjectTree* objectTree;  // not owned
+    const ShapeNumbers* shape;     // not owned
   };
   std::uint32_t order;  ///< place in the scene
   Kind kind;
@@ -38,14 +62,18 @@ struct TreeMember {
     return static_cast<const TriangleMesh&>(kind == Kind::transformedMesh ? *transform().getObject()
                                                                           : *object);
   }
-  MeshInScene meshInScene() const { return {mesh(), *meshTree, order}; }
+  AskedMesh askedMesh() const { return {mesh(), *meshTree, order}; }
 };
 
-/// Kernels and ObjectTrees call each other; all are const while rays are traced.
-class ObjectTree {
- public:
-  explicit ObjectTree(const Kernels& kernels) : kernels_(&kernels) {}
+/// A member that may stand in the tree.
+struct BoxedMember {
+  BoundingBox box;
+  std::uint32_t id;
+};
 
+/// All is const while rays are traced.
+class ObjectTree : public AskedTree {
+ public:
   /// Appends a member; finish() then sorts all of them into the tree.
   void add(const TreeMember& member, const TransformError& error) {
     members_.push_back(member);
@@ -53,47 +81,31 @@ class ObjectTree {
   }
   void finish(int threads);
 
-  /// Object3D::intersect for the listed rays, which are in the space of the members: rays.tmax is
-  /// lowered to the t of each new hit, and its row of `hits` set.
-  void nearest(const RayTable& rays, const RowList& list, HitTable& hits, Arena& arena) const;
-  /// Object3D::occluded: sets blocked[row] where anything is hit between tmin and tmax.
-  void occluded(const RayTable& rays, const RowList& list, bool* blocked, Arena& arena) const;
-  /// Object3D::visitCrossings. tmin is 0 and tmax infinite.
-  void visitCrossings(const RayTable& rays, const RowList& list, RowCrossingVisitor& visitor,
-                      Arena& arena) const;
+  /// Asks all members for the listed rays, which are in the space of the members.
+  void ask(Question& question, const RowList& rows) const;
 
   bool isBounded() const { return bounded_; }
   const BoundingBox& box() const { return box_; }
   const TransformError& error() const { return error_; }
-  const WideBvh& bvh() const { return bvh_; }
-  std::size_t size() const { return members_.size(); }
-  const TreeMember& member(std::uint32_t id) const { return members_[id]; }
-  const Kernels& kernels() const { return *kernels_; }
-
-  /// The same questions to one member.
-  void nearestOf(const TreeMember& member, const RayTable& rays, const RowList& list,
-                 HitTable& hits, Arena& arena) const;
-  void occludedBy(const TreeMember& member, const RayTable& rays, const RowList& list,
-                  bool* blocked, Arena& arena) const;
-  void visitCrossingsOf(const TreeMember& member, const RayTable& rays, const RowList& list,
-                        RowCrossingVisitor& visitor, Arena& arena) const;
-
- private:
-  bool takeShape(std::uint32_t id);
-  void nearestShapes(const RayTable& rays, const RowList& list, HitTable& hits,
-                     Arena& arena) const;
-
-  /// Counts `count` rays that ask `member` without a tree.
-  void countPlain(void (TestTally::*addCounts)(const TestCounts&), const TreeMember& member,
-                  int count) const {
-    if (!kernels_->tally || member.kind != TreeMember::Kind::plain) return;
-    (kernels_->tally->*addCounts)({0, std::uint64_t(count)});
+  const WideBvh& bvh() const override { return bvh_; }
+  LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
+  void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
+                      CrossingVisitor& visitor) const override;
+  void askObject(std::uint32_t id, Question& question, const RowList& rows) const override {
+    question.askMember(members_[id], rows);
   }
 
-  const Kernels* kernels_;  // not owned
+ private:
+  const TreeMember& memberAt(const std::uint32_t* words, int lane) const;
+  void askAlone(std::uint32_t id);
+  template <class IsOut>
+  void leaveOut(std::vector<BoxedMember>& boxed, const IsOut& isOut);
+  void build(std::vector<BoxedMember> boxed, int threads);
+
   std::vector<TreeMember> members_;
-  std::vector<ShapeNumbers> shapes_;   // planes and spheres that are asked together
-  std::vector<std::uint32_t> direct_;  // members that are asked one by one
+  std::vector<ShapeNumbers> shapes_;   // of members outside of the tree, in scene order
+  std::vector<std::uint32_t> direct_;  // the other members outside of it
+  std::deque<ShapeNumbers> inTree_;    // of Transforms in leaves of objects
   WideBvh bvh_;
   BoundingBox box_;
   TransformError error_;  // of all members

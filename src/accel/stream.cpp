@@ -79,17 +79,17 @@ void Stream::markEnded(bool* blocked) const {
   }
 }
 
-void TriangleHits::add(int row, const MeshTree::Triangle& triangle) {
+void LeafHits::add(int row, const LeafPrimitive& primitive) {
   rows[count] = std::uint16_t(row);
-  const Vec3d corners[] = {triangle.a, triangle.b, triangle.c};
-  for (int k = 0; k < 9; ++k) corner[k][count] = corners[k / 3][k % 3];
+  const Vec3d vectors[] = {primitive.a, primitive.b, primitive.c};
+  for (int k = 0; k < 9; ++k) numbers[k][count] = vectors[k / 3][k % 3];
   ++count;
 }
 
-void TriangleHits::fillUp() {
+void LeafHits::fillUp() {
   for (int k = count; k % 8 != 0; ++k) {
     rows[k] = rows[count - 1];
-    for (auto& row : corner) row[k] = row[count - 1];
+    for (auto& row : numbers) row[k] = row[count - 1];
   }
 }
 

@@ -169,29 +169,41 @@ struct Stream {
   void markEnded(bool* blocked) const;
 };
 
-/// Triangles that are known to be hit, whose hits are still to be computed. The kernels compute
-/// them several at a time with the very operations of triangle::distance and TriangleMesh::setHit,
-/// in the same order and in double, so with the same bits.
-struct alignas(64) TriangleHits {
+/// A triangle or a sphere of a leaf, as it stands in the scene. Nothing is owned.
+struct LeafPrimitive {
+  const Object3D* object;  ///< the mesh, where it is one of its faces
+  const Material* material;
+  std::uint32_t order, face;  ///< place in the scene; 0 but for a face of a mesh
+  bool isSphere;
+  Vec3d a, b, c;  ///< the corners; or the centre, and the radius as b.x
+};
+
+/// Triangles, or spheres, that are known to be hit, whose hits are still to be computed. The kernels
+/// compute them several at a time with the very operations of Triangle and Sphere, in the same
+/// order and in double, so with the same bits.
+struct alignas(64) LeafHits {
   static constexpr int kMost = 64;
 
   int count = 0;
   std::uint16_t rows[kMost];  ///< of the rays that hit them
-  double corner[9][kMost];    ///< a, b, c of each triangle
+  double numbers[9][kMost];   ///< the corners of each; or centre and radius
 
-  void add(int row, const MeshTree::Triangle& triangle);
+  void add(int row, const LeafPrimitive& primitive);
   /// Repeats the last one up to a multiple of eight, so that the kernels find no garbage there.
   void fillUp();
 };
 
-/// A plane or a sphere: a unit normal and an offset, or a centre and a radius.
+/// A plane or a sphere: a unit normal and an offset, or a centre and a radius; perhaps seen through
+/// a Transform. Nothing is owned.
 struct ShapeNumbers {
   bool isSphere;
   double place[3], size;
-  double extent;             ///< the largest number of them, as magnitudeOf wants it
-  const Object3D* object;    ///< not owned
-  const Material* material;  ///< not owned
-  std::uint32_t order;       ///< place in the scene
+  double extent;          ///< the largest number of them, as magnitudeOf wants it
+  const Matrix* inverse;  ///< of the Transform; null where there is none
+  const Object3D* object;
+  const Object3D* whole;  ///< the Transform, or the object
+  const Material* material;
+  std::uint32_t order;  ///< place in the scene
 };
 
 /// One instruction set.
@@ -203,19 +215,21 @@ struct Kernels {
   void (*nearest)(Stream& stream);  ///< lowers tmax';
   void (*any)(Stream& stream);      ///< ends its ray;
   void (*all)(Stream& stream);      ///< is a candidate as any other.
-  /// Stores t, point, normal and magnitude in the rows of the rays. Up to a multiple of eight,
-  /// rows and corners behind the count are read.
-  void (*computeHits)(const TriangleHits& hits, const RayTable& rays, const HitTable& table);
-  /// Lowers tmax of the listed rays to the t at which they meet one of the shapes, and stores for
-  /// each place in the list which one that is, counted from 1; 0 where none.
+  /// Store t, point, normal and magnitude in the rows of the rays; that of spheres takes t from
+  /// tmax. Up to a multiple of eight, rows and numbers behind the count are read.
+  void (*hitsOfTriangles)(const LeafHits& hits, const RayTable& rays, const HitTable& table);
+  void (*hitsOfSpheres)(const LeafHits& hits, const RayTable& rays, const HitTable& table);
+  /// Object3D::intersect of `count` shapes for the listed rays: lowers tmax to the t of each new
+  /// hit, and sets its row. The shapes are in the order of the scene.
   void (*nearestOfShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,
-                          const RowList& list, std::uint16_t* winners);
+                          const RowList& list, const HitTable& hits);
   /// Sets blocked[row] for those of the listed rays that meet any between tmin and tmax.
   void (*occludedByShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,
                            const RowList& list, bool* blocked);
-  /// Stores point, normal and magnitude of listed rays that meet the shape at tmax.
-  void (*hitsOfShape)(const ShapeNumbers& shape, const RayTable& rays, const RowList& list,
-                      const HitTable& hits);
+  /// Stores those of the listed rows whose rays, as long as they may be, do not pass the shape by,
+  /// and returns their number.
+  int (*rowsAtShape)(const ShapeNumbers& shape, const RayTable& rays, const RowList& list,
+                     std::uint16_t* rows);
   /// Take the listed rays into a Transform, one row of `inside` each; and the hits `found` there,
   /// in rows inside[0], inside[1] ..., out to the listed rays.
   void (*moveRays)(const Matrix& inverse, const RayTable& rays, const RowList& list,
@@ -224,14 +238,6 @@ struct Kernels {
                    const std::uint16_t* inside, const HitTable& found, const HitTable& hits);
   /// Where it is noted what all this takes; null where nobody asks. Not owned.
   TestTally* tally = nullptr;
-
-  /// Add to the tally what a walk has taken.
-  void countNearest(const Stream& stream) const {
-    if (tally) tally->addNearest({stream.nodesVisited, stream.primitivesTested});
-  }
-  void countShadow(const Stream& stream) const {
-    if (tally) tally->addShadow({stream.nodesVisited, stream.primitivesTested});
-  }
 };
 
 Kernels baselineKernels();

@@ -7,7 +7,7 @@
 #include "cli/scene_setup.h"
 
 #include "accel/compiled_scene.h"
-#include "accel/counting_tree.h"
+#include "accel/test_tally.h"
 #include "accel/grid/grid.h"
 #include "accel/grid/grid_view.h"
 #include "cli/program.h"

@@ -13,15 +13,24 @@ void setRowOf(double* const column[3], int row, const Vec3d& v) {
   for (int axis = 0; axis < 3; ++axis) column[axis][row] = v[axis];
 }
 
+/// A column of T behind each other for each of `count` pointers, with room for a vector to run over
+/// the end of each: one take, for tables of a few rows are made often.
+template <class T>
+void takeColumns(Arena& arena, int rows, T** const* columns, std::size_t count) {
+  constexpr std::size_t kLine = Arena::kAlignment / sizeof(T);
+  const std::size_t stride = (std::size_t(rows) + 2 * kLine - 1) / kLine * kLine;
+  T* first = arena.take<T>(stride * count);
+  for (std::size_t i = 0; i < count; ++i) *columns[i] = first + i * stride;
+}
+
 }  // namespace
 
 RayTable::RayTable(Arena& arena, int rows, bool hasSources) : count(rows) {
-  const auto size = std::size_t(rows);
-  for (double*& column : origin) column = arena.take<double>(size);
-  for (double*& column : direction) column = arena.take<double>(size);
-  tmin = arena.take<double>(size);
-  tmax = arena.take<double>(size);
+  double** const columns[] = {&origin[0],    &origin[1],    &origin[2], &direction[0],
+                              &direction[1], &direction[2], &tmin,      &tmax};
+  takeColumns(arena, rows, columns, 8);
   if (!hasSources) return;
+  const auto size = std::size_t(rows);
   source = arena.take<const Object3D*>(size);
   sourceFace = arena.take<std::uint32_t>(size);
 }
@@ -42,9 +51,9 @@ HitTable::HitTable(Arena& arena, int rows) {
   object = arena.take<const Object3D*>(size);
   face = arena.take<std::uint32_t>(size);
   order = arena.take<std::uint32_t>(size);
-  magnitude = arena.take<double>(size);
-  for (double*& column : normal) column = arena.take<double>(size);
-  for (double*& column : point) column = arena.take<double>(size);
+  double** const columns[] = {&magnitude, &normal[0], &normal[1], &normal[2],
+                              &point[0],  &point[1],  &point[2]};
+  takeColumns(arena, rows, columns, 7);
   std::fill(material, material + size, nullptr);
   std::fill(order, order + size, NearestSoFar::kNothing);
 }

@@ -103,8 +103,7 @@ class Streams {
     form.visitAllCrossings(rays, crossings, arena_);
     for (std::size_t i = 0; i < questions.size(); ++i) {
       const CrossingSet expected(root_, questions[i].ray);
-      expect(crossings.sorted(i) == expected.rows(), form, "all", questions[i], int(i),
-             rays.count);
+      expect(crossings.sorted(i) == expected.rows(), form, "all", questions[i], int(i), rays.count);
     }
   }
 
@@ -141,8 +140,8 @@ const Object3D& equalTriangles(int count, bool isMesh, Owner& owner, Group& grou
   const Vec3f corners[] = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
   if (!isMesh) {
     for (int i = 0; i < count; ++i) {
-      group.addObject(&owner.make<Triangle>(Vec3d(corners[0]), Vec3d(corners[1]),
-                                            Vec3d(corners[2]), owner.material(i)));
+      group.addObject(&owner.make<Triangle>(Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2]),
+                                            owner.material(i)));
     }
     return group;
   }
@@ -218,5 +217,45 @@ TEST("more triangles at one place than candidates find room are all decided") {
     streams.ask(questions);
     CHECK(streams.hits() > rays / 4);
     CHECK_EQUAL(streams.firstFailure(), "");
+  }
+}
+
+TEST("of spheres at one place, plain or under Transforms, each ray meets the first that it can") {
+  // Few are asked without a tree; with forty more spheres around, all stand in one.
+  for (const int others : {0, 40}) {
+    for (int first = 0; first < 4; ++first) {
+      Owner owner;
+      Group group;
+      std::vector<const Object3D*> same;
+      for (int i = 0; i < 4; ++i) {
+        const int kind = (first + i) % 4;
+        const auto& ball = owner.make<Sphere>(Vec3d(), 1, owner.material(i));
+        same.push_back(&ball);
+        Group& inner = owner.make<Group>();
+        inner.addObject(&ball);
+        const Object3D& within = kind == 2 ? static_cast<const Object3D&>(inner) : ball;
+        const auto& seen = owner.make<Transform>(Matrix(), &within);
+        group.addObject(kind == 0 ? static_cast<const Object3D*>(&ball) : &seen);
+      }
+      group.addObject(&owner.make<Plane>(Vec3d(0, 0, 1), -1, owner.material(0)));  // touches them
+      for (int i = 0; i < others; ++i) {
+        const auto& ball = owner.make<Sphere>(Vec3d(i % 7 - 3, i % 5 - 2, 3), 0.5, nullptr);
+        group.addObject(i % 2 ? static_cast<const Object3D*>(&ball)
+                              : &owner.make<Transform>(Matrix::scale({1, 2, 1}), &ball));
+      }
+      Streams streams(group);
+      Random random(73);
+      std::vector<Question> questions;
+      for (int i = 0; i < casesFor(300); ++i) {
+        const Vec3d from = random.unitVector() * (i % 3 == 0 ? 1 : random.uniform(0, 4));
+        const Vec3d aim = i % 8 ? random.inCube(-1, 1) : Vec3d(0, 0, -1);
+        Ray ray(from, aim - from);
+        if (i % 3 == 0) ray.setSource(same[std::size_t(random.index(4))], 0);
+        questions.push_back({ray, random.index(4) ? 0.0 : -1.0, random.index(4) ? kInf : 1.0});
+      }
+      streams.ask(questions);
+      CHECK(streams.hits() > casesFor(100));
+      CHECK_EQUAL(streams.firstFailure(), "");
+    }
   }
 }

@@ -1,5 +1,5 @@
 // Shadow rays end at the first thing in the way, and want to know no more.
-#include "accel/counting_tree.h"
+#include "accel/test_tally.h"
 #include "accel/grid/grid.h"
 #include "check.h"
 #include "geometry/group.h"

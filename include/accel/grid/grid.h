@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "accel/counting_tree.h"
+#include "accel/test_tally.h"
 #include "accel/grid/grid_frame.h"
 #include "geometry/object3d.h"
 

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 
-#include "accel/exact_type.h"
 #include "accel/transform_range.h"
 #include "geometry/group.h"
 #include "geometry/sphere.h"

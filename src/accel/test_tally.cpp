@@ -3,14 +3,11 @@
 // The walk is written once, for any question: a Group asks its members in order, a Transform takes
 // the ray in and the answer out, everything else is asked itself. A question says what it asks of a
 // primitive, what becomes of a hit that leaves a Transform, and whether the first yes ends it.
-#include "accel/counting_tree.h"
+#include "accel/test_tally.h"
 
-#include "accel/exact_type.h"
 #include "geometry/group.h"
 #include "geometry/transform.h"
 #include "geometry/triangle_mesh.h"
-
-using accel::exactly;
 
 namespace {
 
