@@ -129,8 +129,9 @@ class BatchGeometry {
   virtual void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const = 0;
   /// Object3D::occluded for all rays of the table; stores each answer in blocked[row].
   virtual void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const = 0;
-  /// Object3D::visitCrossings for all rays of the table, whose tmin and tmax are taken no notice
-  /// of.
+  /// Object3D::visitCrossings for all rays of the table, but what a ray crosses nowhere at t < tmax
+  /// may be left out: each object is told of with all its crossings, before and behind tmax, or not
+  /// at all. tmin is taken no notice of.
   virtual void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
                                  Arena& arena) const = 0;
   /// The instruction set that it uses, one that the processor has.

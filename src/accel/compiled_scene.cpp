@@ -194,12 +194,10 @@ void CompiledScene::visitCrossings(const Ray& ray, CrossingVisitor& visitor) con
 void CompiledScene::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
                                       Arena& arena) const {
   const Arena::Frame frame(arena);
-  // All that lies before the ray counts, whatever it is asked for besides.
+  // All crossings at t > 0 count.
   RayTable whole = rays;
   whole.tmin = arena.take<double>(std::size_t(rays.count));
-  whole.tmax = arena.take<double>(std::size_t(rays.count));
   std::fill(whole.tmin, whole.tmin + rays.count, 0.0);
-  std::fill(whole.tmax, whole.tmax + rays.count, Hit().getT());
   accel::CrossingsQuestion question(trees_->kernels, whole, visitor, arena);
   trees_->ask(question, *root_);
 }

@@ -27,6 +27,7 @@ class AskedMesh : public AskedTree {
   AskedMesh(const TriangleMesh& mesh, const MeshTree& tree, std::uint32_t order)
       : mesh_(mesh), tree_(tree), order_(order) {}
   const WideBvh& bvh() const override { return tree_.bvh(); }
+  bool isOneObject() const override { return true; }
   LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
   bool takesPlace(LeafPrimitive& face) const override;
   void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,

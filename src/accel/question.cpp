@@ -7,7 +7,7 @@
 //              triangle is left and it is proven, nothing is to be decided; else each is asked. The
 //              hits of all winners are then computed together.
 //   occluded   Any candidate that is hit between tmin and tmax blocks its ray.
-//   crossings  Nothing is ruled out by distance: every primitive that may be crossed is asked.
+//   crossings  Of an object that is met before tmax, all crossings count, before and behind it.
 // Where more candidates come than are kept, they are decided while the walk goes on.
 #include "accel/question.h"
 
@@ -92,7 +92,7 @@ class Question::Walk {
 void Question::askTree(const AskedTree& tree, const RowList& rows) {
   if (tree.bvh().isEmpty() || rows.count == 0) return;
   const Arena::Frame frame(arena_);
-  Stream stream(tree.bvh(), rays_, rows, arena_);
+  Stream stream(tree.bvh(), raysFor(tree), rows, arena_);
   kernels_.prepare(stream);
   if (stream.count == 0) return;
   walk(tree, stream);
@@ -323,6 +323,13 @@ void OccludedQuestion::askInside(const TreeMember& member, const RowList& rows) 
   for (int k = 0; k < rows.count; ++k) {
     if (found[k]) blocked_[rows.rows[k]] = true;
   }
+}
+
+CrossingsQuestion::CrossingsQuestion(const Kernels& kernels, const RayTable& rays,
+                                     RowCrossingVisitor& visitor, Arena& arena)
+    : Question(kernels, rays, arena), visitor_(visitor), endless_(rays) {
+  endless_.tmax = arena.take<double>(std::size_t(rays.count));
+  std::fill(endless_.tmax, endless_.tmax + rays.count, Hit().getT());
 }
 
 class CrossingsQuestion::CrossingsWalk : public Walk {

@@ -29,6 +29,8 @@ class AskedTree {
  public:
   virtual ~AskedTree() = default;
   virtual const WideBvh& bvh() const = 0;
+  /// True where all that its leaves hold is one object of the scene.
+  virtual bool isOneObject() const { return false; }
   /// The triangle or sphere in lane `lane` of the leaf at `words`.
   virtual LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const = 0;
   /// A ray leaves `primitive`: true where another one of the same corners takes its place, which it
@@ -70,6 +72,8 @@ class Question {
       : kernels_(kernels), rays_(rays), arena_(arena) {}
 
   class Walk;
+  /// The rays as they walk a tree.
+  virtual const RayTable& raysFor(const AskedTree& /*tree*/) const { return rays_; }
   virtual void walk(const AskedTree& tree, Stream& stream) = 0;
   virtual void askInside(const TreeMember& member, const RowList& rows) = 0;
 
@@ -120,21 +124,24 @@ class OccludedQuestion : public Question {
   bool* blocked_;
 };
 
-/// Object3D::visitCrossings. tmin is 0 and tmax infinite.
+/// BatchGeometry::visitAllCrossings. tmin is 0.
 class CrossingsQuestion : public Question {
  public:
   CrossingsQuestion(const Kernels& kernels, const RayTable& rays, RowCrossingVisitor& visitor,
-                    Arena& arena)
-      : Question(kernels, rays, arena), visitor_(visitor) {}
+                    Arena& arena);
   void askObject(const Object3D& object, std::uint32_t order, const RowList& rows) override;
   void askShapes(const ShapeNumbers* shapes, int count, const RowList& rows) override;
 
  private:
   class CrossingsWalk;
+  const RayTable& raysFor(const AskedTree& tree) const override {
+    return tree.isOneObject() ? endless_ : rays_;
+  }
   void walk(const AskedTree& tree, Stream& stream) override;
   void askInside(const TreeMember& member, const RowList& rows) override;
 
   RowCrossingVisitor& visitor_;
+  RayTable endless_;  // the rays, with infinite tmax
 };
 
 }  // namespace accel

@@ -218,9 +218,7 @@ struct Places8 {
   }
 
  private:
-  __m256 eight(const float* row) const {
-    return _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), v);
-  }
+  __m256 eight(const float* row) const { return _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), v); }
   __m256 bitAsSign(int bit) const { return _mm256_castsi256_ps(_mm256_slli_epi32(v, 31 - bit)); }
 };
 
@@ -273,11 +271,9 @@ constexpr CompressTable makeCompressTable() {
 }
 inline constexpr CompressTable kCompress = makeCompressTable();
 
-inline std::uint16_t* compressEight(const std::uint16_t* list, unsigned taken,
-                                    std::uint16_t* out) {
+inline std::uint16_t* compressEight(const std::uint16_t* list, unsigned taken, std::uint16_t* out) {
   const __m128i entries = _mm_loadu_si128(reinterpret_cast<const __m128i*>(list));
-  const __m128i places =
-      _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.places[taken]));
+  const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.places[taken]));
   _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(entries, places));
   return out + __builtin_popcount(taken);
 }
@@ -308,3 +304,26 @@ inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* mas
 }
 
 #endif
+
+/// Four columns of kCount numbers, one behind the other, become kCount rows of four: row i stands
+/// at rows + i * stride.
+template <int kCount>
+inline void transpose(const float* columns, float* rows, int stride) {
+#if defined(__SSE2__)
+  if (kCount % 4 == 0) {
+    for (int i = 0; i < kCount; i += 4) {
+      __m128 a = _mm_loadu_ps(columns + i), b = _mm_loadu_ps(columns + kCount + i),
+             c = _mm_loadu_ps(columns + 2 * kCount + i), d = _mm_loadu_ps(columns + 3 * kCount + i);
+      _MM_TRANSPOSE4_PS(a, b, c, d);
+      _mm_storeu_ps(rows + i * stride, a);
+      _mm_storeu_ps(rows + (i + 1) * stride, b);
+      _mm_storeu_ps(rows + (i + 2) * stride, c);
+      _mm_storeu_ps(rows + (i + 3) * stride, d);
+    }
+    return;
+  }
+#endif
+  for (int i = 0; i < kCount; ++i) {
+    for (int k = 0; k < 4; ++k) rows[i * stride + k] = columns[k * kCount + i];
+  }
+}

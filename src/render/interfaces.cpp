@@ -100,12 +100,21 @@ class Interfaces::Walk {
     for (int row = 0; row < rays_.count; ++row) {
       if (hits_.isFound(row) && dependsOnMedia(row)) addLine(row);
     }
-    if (lines_.count == 0) return;
-    CrossingTable crossings(lines_.count);
-    batches_.visitAllCrossings(lines_, crossings, arena_);
-    ColorFilterTable filters(arena_, crossings.size());
-    for (openCount_ = lines_.count; openCount_ > 0; goOn()) keepHidden(crossings, filters);
-    setTints(filters);
+    // Objects count that reach as far as the places on both sides of the hit. Where the surface is
+    // not there, all may count.
+    for (const bool isWhole : {false, true}) {
+      if (isWhole) keepOpenLines();
+      if (lines_.count == 0) return;
+      CrossingTable crossings(lines_.count);
+      batches_.visitAllCrossings(lines_, crossings, arena_);
+      ColorFilterTable filters(arena_, crossings.size());
+      openCount_ = lines_.count;
+      do {
+        keepHidden(crossings, filters);
+        goOn();
+      } while (isWhole && openCount_ > 0);
+      setTints(filters);
+    }
   }
 
  private:
@@ -122,10 +131,22 @@ class Interfaces::Walk {
   void addLine(int row) {
     const Hit hit = hitOf(row);
     const Ray ray = rays_.rayOf(row);
-    const double start = hit.getT() - interfaces_.reachOf(hit);
-    lines_.setRow(lines_.count, Ray(ray.pointAtParameter(start), ray.getDirection()), start, 0);
+    const double reach = interfaces_.reachOf(hit), start = hit.getT() - reach;
+    lines_.setRow(lines_.count, Ray(ray.pointAtParameter(start), ray.getDirection()), start,
+                  4 * reach);
     open_[lines_.count] = std::uint16_t(lines_.count);
     rows_[lines_.count++] = std::uint16_t(row);
+  }
+
+  /// Leaves the open lines alone in lines_, for all that lies on them.
+  void keepOpenLines() {
+    for (int k = 0; k < openCount_; ++k) {
+      const int line = open_[k];
+      lines_.setRow(k, lines_.rayOf(line), lines_.tmin[line], Hit().getT());
+      rows_[k] = rows_[line];
+      open_[k] = std::uint16_t(k);
+    }
+    lines_.count = openCount_;
   }
 
   /// Finds what lies on both sides of what the open lines have met; those stay open on which it is
