@@ -9,11 +9,9 @@
 class PageBuffer {
  public:
   PageBuffer() = default;
-  /// Large pages are faster, but memory is then had in pieces of megabytes, so they are for what is
-  /// filled from the front; `large` of a small size are small ones all the same.
-  enum class Pages { small, large };
-  /// Reserves `bytes`; throws std::bad_alloc where the system has no such room.
-  explicit PageBuffer(std::size_t bytes, Pages pages = Pages::large);
+  /// Reserves `bytes`, in large pages where there are many: memory is then had in pieces of
+  /// megabytes. Throws std::bad_alloc where the system has no such room.
+  explicit PageBuffer(std::size_t bytes);
   ~PageBuffer();
   PageBuffer(PageBuffer&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}

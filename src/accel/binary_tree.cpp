@@ -71,7 +71,7 @@ class BinaryTree::Subtree {
     setBox(node, range.box);
     if (const int primitives = fittingLeaf(range, uniform_)) {
       node.plan = CollapsePlan::kLeaf;
-      leafSizes_.push_back({std::uint8_t(range.count), std::uint8_t(primitives)});
+      leafSizes_.push_back({std::uint8_t(range.count), std::uint8_t(primitives), 0});
       return CollapseCost::ofLeaf(halfArea(range.box));
     }
     assert(range.splits < kMostSplits);

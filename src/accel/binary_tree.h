@@ -70,9 +70,9 @@ struct CollapseCost {
   }
 };
 
-/// How much a leaf holds.
+/// How much a leaf holds, and how many words it takes once it is written.
 struct LeafSize {
-  std::uint8_t items, primitives;
+  std::uint8_t items, primitives, words;
 };
 
 struct BinaryNode {

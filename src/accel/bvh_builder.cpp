@@ -39,7 +39,7 @@ constexpr float kFrameStep = 0x1p-12f;
 class Leaves {
  public:
   Leaves(std::vector<LeafSize> sizes, BuildItems& items, const LeafWriter& writer)
-      : sizes_(std::move(sizes)), words_(sizes_.size()), items_(items), writer_(writer) {
+      : sizes_(std::move(sizes)), items_(items), writer_(writer) {
     std::size_t item = 0;
     for (std::size_t leaf = 0; leaf < sizes_.size(); ++leaf) {
       if (leaf % kLeavesPerBatch == 0) batches_.push_back({item, 0});
@@ -67,7 +67,7 @@ class Leaves {
   /// Where leaf `leaf` is; `before` is where the leaf before it is.
   std::uint32_t offsetOf(std::size_t leaf, std::uint32_t before) const {
     return leaf % kLeavesPerBatch == 0 ? batches_[leaf / kLeavesPerBatch].word
-                                       : before + words_[leaf - 1];
+                                       : before + sizes_[leaf - 1].words;
   }
 
  private:
@@ -85,8 +85,8 @@ class Leaves {
       const int count = sizes_[leaf].items;
       const BuildItem* items = items_.data() + item;
       writer_.prepare(items, count, items_.count() - item);
-      words_[leaf] = std::uint8_t(writer_.write(items, count, written + size));
-      size += words_[leaf];
+      sizes_[leaf].words = std::uint8_t(writer_.write(items, count, written + size));
+      size += sizes_[leaf].words;
       item += std::size_t(count);
     }
     const std::size_t place = next_.fetch_add(size);
@@ -95,7 +95,6 @@ class Leaves {
   }
 
   std::vector<LeafSize> sizes_;
-  std::vector<std::uint8_t> words_;  // of each leaf
   std::vector<Batch> batches_;
   std::size_t mostWords_ = 1;
   std::atomic<std::size_t> next_{1};  // offset 0 means no leaf

@@ -13,10 +13,13 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "accel/build_range.h"
 #include "geometry/triangle.h"
 
 namespace accel {
 namespace {
+
+Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
 /// Whether triangle::areaNormal is not 0, mostly without computing it: rounding changes the float
 /// normal by less than 2^-21 of the product of the edges, a denormal by less than 2^-120.
@@ -98,18 +101,19 @@ struct CornersHash {
 }  // namespace
 
 BuildItems meshItems(const MeshGeometry& geometry, float scale, bool inPairs, ThreadPool& pool) {
+  constexpr std::size_t kChunk = 32768;
   const std::size_t faces = geometry.faceCount();
   BuildItems items(faces);
-  std::vector<std::size_t> counts(faces / kFacesPerChunk + 1);
-  forEachChunk(pool, faces, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> counts((faces + kChunk - 1) / kChunk);
+  pool.forEachIndex(counts.size(), [&](std::size_t chunk) {
+    const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, faces);
     BuildItem* first = items.data() + begin;
     counts[chunk] = std::size_t(appendItems(geometry, scale, inPairs, begin, end, first) - first);
   });
-  std::size_t count = 0;  // faces without area leave gaps, which are closed
-  for (std::size_t chunk = 0; chunk * kFacesPerChunk < faces; ++chunk) {
-    const BuildItem* first = items.data() + chunk * kFacesPerChunk;
-    if (count != chunk * kFacesPerChunk)
-      std::copy(first, first + counts[chunk], items.data() + count);
+  std::size_t count = 0;  // the gaps that pairs and faces without area leave are closed
+  for (std::size_t chunk = 0; chunk < counts.size(); ++chunk) {
+    const BuildItem* first = items.data() + chunk * kChunk;
+    if (count != chunk * kChunk) std::copy(first, first + counts[chunk], items.data() + count);
     count += counts[chunk];
   }
   items.setCount(count);

@@ -3,15 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "accel/build_range.h"
 #include "accel/bvh_builder.h"
 #include "accel/mesh_tree.h"
 #include "accel/thread_pool.h"
 #include "geometry/mesh_geometry.h"
 
 namespace accel {
-
-inline Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
 
 /// The boxes of all faces that have an area, by rising numbers, times `scale`. With `inPairs`
 /// neighbours by number that share an edge are one item where one box for both is not larger than
@@ -23,16 +20,5 @@ BuildItems meshItems(const MeshGeometry& geometry, float scale, bool inPairs, Th
 /// by face.
 std::vector<FaceCopies> dropCopies(const MeshGeometry& geometry,
                                    const std::vector<std::uint32_t>& faces, BuildItems& items);
-
-/// Meshes are gone over in chunks of so many faces or vertices.
-constexpr std::size_t kFacesPerChunk = 32768;
-
-/// Calls work(chunk, begin, end) for chunks of [0, count).
-template <class Work>
-void forEachChunk(ThreadPool& pool, std::size_t count, const Work& work) {
-  pool.forEachIndex((count + kFacesPerChunk - 1) / kFacesPerChunk, [&](std::size_t chunk) {
-    work(chunk, chunk * kFacesPerChunk, std::min(count, (chunk + 1) * kFacesPerChunk));
-  });
-}
 
 }  // namespace accel

@@ -11,6 +11,7 @@
 #include "accel/mesh_tree.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <mutex>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "accel/mesh_items.h"
+#include "accel/simd4.h"
 #include "accel/thread_pool.h"
 #include "math/bounding_box.h"
 
@@ -60,25 +62,25 @@ struct LocalVertices {
 /// From so many faces on that lie on others, copies are looked for.
 constexpr std::size_t kPilesThatPay = 64;
 
-/// Faces of leaves in which all have the same box. Any thread may add.
-class Piles {
- public:
-  void add(const std::uint32_t* words, int count) {
+/// What turns out while leaves are written. Any thread may add.
+struct Findings {
+  std::atomic<bool> isExact{true};   ///< scaling has lost no digit
+  std::vector<std::uint32_t> piled;  ///< faces of leaves in which all have the same box
+
+  void addPile(const std::uint32_t* words, int count) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (int i = 0; i < count; ++i) faces_.push_back(words[i] & ~kIdBit);
+    for (int i = 0; i < count; ++i) piled.push_back(words[i] & ~kIdBit);
   }
-  const std::vector<std::uint32_t>& faces() const { return faces_; }
 
  private:
   std::mutex mutex_;
-  std::vector<std::uint32_t> faces_;
 };
 
-/// Writes leaves of corners, scaled, and tells `piles` of faces that lie on one another.
+/// Writes leaves of corners, scaled.
 class MeshLeafWriter : public LeafWriter {
  public:
-  MeshLeafWriter(const MeshGeometry& geometry, float scale, Piles& piles)
-      : geometry_(geometry), scale_(scale), piles_(piles) {}
+  MeshLeafWriter(const MeshGeometry& geometry, float scale, Findings& findings)
+      : geometry_(geometry), scale_(scale), findings_(findings) {}
 
   int write(const BuildItem* items, int count, std::uint32_t* words) const override {
     LocalVertices local;
@@ -92,24 +94,11 @@ class MeshLeafWriter : public LeafWriter {
       }
     }
     std::fill(places + n, places + 8, places[n - 1]);
+    words[0] = leafHead(writeVertices(local, places, n, words + kFirstRow),
+                        LeafKind::meshTriangles, n, local.count);
     std::memcpy(words + 1, places, sizeof places);
     std::copy(faces, faces + n, words + kFirstRow + 3 * local.count);
-    Vec3f vertices[LocalVertices::kMost];
-    for (int k = 0; k < local.count; ++k) {
-      vertices[k] = geometry_.getVertices()[local.vertex(k)] * scale_;
-      for (int axis = 0; axis < 3; ++axis) {
-        const float value = vertices[k][axis];
-        std::memcpy(words + kFirstRow + axis * local.count + k, &value, sizeof value);
-      }
-    }
-    float edge = 0;
-    for (int i = 0; i < n; ++i) {
-      const Vec3f& a = vertices[placeOf(places[i], 0)];
-      edge = std::max({edge, maxAbs(vertices[placeOf(places[i], 1)] - a),
-                       maxAbs(vertices[placeOf(places[i], 2)] - a)});
-    }
-    words[0] = leafHead(edge, LeafKind::meshTriangles, n, local.count);
-    if (isPile(items, count, n)) piles_.add(faces, n);
+    if (isPile(items, count, n)) findings_.addPile(faces, n);
     return kFirstRow + 3 * local.count + n;
   }
 
@@ -128,6 +117,27 @@ class MeshLeafWriter : public LeafWriter {
   }
 
  private:
+  /// Returns the largest component of an edge of the `count` faces.
+  float writeVertices(const LocalVertices& local, const std::uint16_t* places, int count,
+                      std::uint32_t* rows) const {
+    Vec3f scaled[LocalVertices::kMost];
+    for (int k = 0; k < local.count; ++k) {
+      const Vec3f& vertex = geometry_.getVertices()[local.vertex(k)];
+      scaled[k] = vertex * scale_;
+      if (scaled[k] * (1 / scale_) != vertex) findings_.isExact = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        const float value = scaled[k][axis];
+        std::memcpy(rows + axis * local.count + k, &value, sizeof value);
+      }
+    }
+    float edge = 0;
+    for (int i = 0; i < count; ++i) {
+      const Vec3f& a = scaled[placeOf(places[i], 0)];
+      edge = std::max({edge, maxAbs(scaled[placeOf(places[i], 1)] - a),
+                       maxAbs(scaled[placeOf(places[i], 2)] - a)});
+    }
+    return edge;
+  }
   /// Whether all boxes are the same. More of them than a leaf takes are halved by number, so that
   /// half a leaf of them is left at least.
   static bool isPile(const BuildItem* items, int count, int faces) {
@@ -140,7 +150,7 @@ class MeshLeafWriter : public LeafWriter {
 
   const MeshGeometry& geometry_;
   float scale_;
-  Piles& piles_;
+  Findings& findings_;
 };
 
 /// A power of two that brings the longest side of the box to 1 to 2, or 1 where there is none.
@@ -149,46 +159,21 @@ float scaleFor(const BoundingBox& box) {
   return std::ldexp(1.0f, std::clamp(-std::ilogb(longest), -126, 126));
 }
 
-BoundingBox boxOf(const std::vector<Vec3f>& vertices, ThreadPool& pool) {
-  std::vector<BoundingBox> boxes(vertices.size() / kFacesPerChunk + 1);
-  forEachChunk(pool, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    Box4 box = Box4::empty();
-    for (std::size_t i = begin; i < end; ++i) box.extend(asFloat4(vertices[i]));
-    float low[4], high[4];
-    box.low.store(low);
-    box.high.store(high);
-    boxes[chunk] = {Vec3d(low[0], low[1], low[2]), Vec3d(high[0], high[1], high[2])};
-  });
-  for (const BoundingBox& box : boxes) boxes[0].extend(box);
-  return boxes[0];
-}
-
-/// True where scaling loses no digit.
-bool scalesExactly(const std::vector<Vec3f>& vertices, float scale, ThreadPool& pool) {
-  std::vector<char> exact(vertices.size() / kFacesPerChunk + 1, 1);
-  forEachChunk(pool, vertices.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    bool same = true;
-    for (std::size_t i = begin; i < end; ++i) {
-      same = same && vertices[i] * scale * (1 / scale) == vertices[i];
-    }
-    exact[chunk] = same ? 1 : 0;
-  });
-  return std::all_of(exact.begin(), exact.end(), [](char same) { return same != 0; });
-}
-
 }  // namespace
 
 MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geometry) {
   ThreadPool::run(threads, geometry.faceCount(), [&](ThreadPool& pool) {
-    const float scale = scaleFor(boxOf(geometry.getVertices(), pool));
+    BoundingBox box;
+    geometry.addBounds(Matrix(), box);
+    const float scale = scaleFor(box);
     bvh_.scale = scale;
-    exact_ = scalesExactly(geometry.getVertices(), scale, pool);
-    Piles piles;
-    const MeshLeafWriter writer(geometry, scale, piles);
+    Findings findings;
+    const MeshLeafWriter writer(geometry, scale, findings);
     buildWideBvh(bvh_, meshItems(geometry, scale, true, pool), writer, pool);
-    if (piles.faces().size() < kPilesThatPay) return;
+    exact_ = findings.isExact;
+    if (findings.piled.size() < kPilesThatPay) return;
     BuildItems items = meshItems(geometry, scale, false, pool);
-    copies_ = dropCopies(geometry, piles.faces(), items);
+    copies_ = dropCopies(geometry, findings.piled, items);
     if (copies_.empty()) return;
     bvh_ = {};
     bvh_.scale = scale;

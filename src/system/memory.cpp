@@ -35,14 +35,14 @@ std::size_t smallPage() { return std::size_t(sysconf(_SC_PAGESIZE)); }
 
 }  // namespace
 
-PageBuffer::PageBuffer(std::size_t bytes, Pages pages) : bytes_(roundedUp(bytes, smallPage())) {
+PageBuffer::PageBuffer(std::size_t bytes) : bytes_(roundedUp(bytes, smallPage())) {
   if (bytes_ == 0) return;
   void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();
   data_ = memory;
   // Rays visit nodes all over the tree: fewer, larger pages spare look-ups of addresses.
-  if (pages == Pages::large && bytes_ >= 2 * kLargePage) preferLargePages(data_, bytes_);
+  if (bytes_ >= 2 * kLargePage) preferLargePages(data_, bytes_);
 }
 
 PageBuffer::~PageBuffer() {
