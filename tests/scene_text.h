@@ -28,18 +28,18 @@ inline std::string mesh(const std::string& path) {
 }
 
 /// Reads a scene of `text`, which is all of it.
-inline SceneParser parseWhole(const std::string& text) {
+inline SceneParser parseWhole(const std::string& text, const SceneRules& rules = {}) {
   struct File {
     std::string path;
     ~File() { std::remove(path.c_str()); }
   } file{write(text, ".txt")};
-  return SceneParser(file.path.c_str());
+  return SceneParser(file.path.c_str(), nullptr, rules);
 }
 
 /// Reads a scene of `text` with a camera put before it.
-inline SceneParser parse(const std::string& text) {
+inline SceneParser parse(const std::string& text, const SceneRules& rules = {}) {
   return parseWhole("PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 }\n" +
-                    text);
+                    text, rules);
 }
 
 /// The colour along the ray from `origin` towards `target`.

@@ -128,4 +128,19 @@ constexpr std::uint64_t randomBits(std::uint64_t seed, std::uint64_t index) {
 /// The upper half of `bits` as one of 2^32 evenly spaced numbers from 0 to below 1.
 constexpr double unitNumber(std::uint64_t bits) { return double(bits >> 32) * 0x1p-32; }
 
+/// Number `index`, from 0, of the sequence of the classic generator drand48 begun at 0: from 0 up
+/// to below 1. It goes x -> a x + c modulo 2^48 before each number, which is x / 2^48. k steps
+/// together are such a step again, and 2 k steps are it twice: so it takes log2(index) of them.
+/// Source: Brown, "Random Number Generation with Arbitrary Strides", 1994.
+constexpr double sequenceNumber(std::uint64_t index) {
+  std::uint64_t factor = 0x5DEECE66Du, offset = 0xB;  // of 2^k steps, modulo 2^64
+  std::uint64_t x = 0;
+  for (std::uint64_t steps = index + 1; steps != 0; steps >>= 1) {
+    if ((steps & 1) != 0) x = factor * x + offset;
+    offset += factor * offset;
+    factor *= factor;
+  }
+  return double(x & 0xffffffffffffu) * 0x1p-48;
+}
+
 }  // namespace math

@@ -20,7 +20,7 @@ double noise(const Vec3d& p);
 /// a float can tell.
 inline constexpr int kMaxOctaves = 32;
 
-/// noise(p) + noise(2 p) / 2 + noise(4 p) / 4 ..., `octaves` terms, 1..kMaxOctaves: always finite,
+/// noise(p) + noise(2 p) / 2 + noise(4 p) / 4 ..., `octaves` terms, 0..kMaxOctaves: always finite,
 /// its size below 2.1.
 double fractalNoise(const Vec3d& p, int octaves);
 

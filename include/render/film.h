@@ -15,8 +15,8 @@
 /// The weight of a sample by where it lies from the centre of a pixel, and how far that goes.
 class Filter {
  public:
-  /// `size` > 0 is the radius of box and tent, the sigma of a gaussian.
-  Filter(SamplingOptions::FilterKind kind, double size);
+  /// That of the options, and its size.
+  explicit Filter(const SamplingOptions& options);
 
   /// The weight, from 0 to 1, of a sample at (x, y) from the pixel's centre.
   double getWeight(double x, double y) const;
@@ -25,7 +25,9 @@ class Filter {
 
  private:
   SamplingOptions::FilterKind kind_;
-  double size_;
+  double size_;    // > 0: the radius of box and tent, the sigma of a gaussian
+  double cut_;     // of a gaussian, in sigmas
+  bool isSingle_;  // a box compares places as floats
   int supportRadius_;
 };
 

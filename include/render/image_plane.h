@@ -34,6 +34,11 @@ struct PixelRectangle {
   PixelRectangle grown(int margin) const {
     return {left - margin, bottom - margin, right + margin, top + margin};
   }
+  /// What both have in common, which is not nothing.
+  PixelRectangle within(const PixelRectangle& other) const {
+    return {std::max(left, other.left), std::max(bottom, other.bottom),
+            std::min(right, other.right), std::min(top, other.top)};
+  }
 };
 
 /// Every other bit of a place in a block of 16 x 16 pixels, from the lowest on: its column; that of

@@ -36,7 +36,7 @@ class RayTracer {
  protected:  // each step on its own, so that a WatchedTracer can tell of it
   virtual bool meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const;
   virtual Vec3f shadeComponent(const Surface& s, double share) const;
-  virtual Vec3d ambient(const Surface& s) const { return shader_.ambient(*s.hit.getMaterial()); }
+  virtual Vec3d ambient(const Surface& s) const { return shader_.ambient(s); }
   virtual Vec3d lights(const Surface& s) const;
   virtual Vec3d light(int index, const Surface& s) const;
   virtual Vec3d mirror(const Surface& s) const;

@@ -29,7 +29,12 @@ struct SamplingOptions {
   enum class FilterKind {
     box,      ///< 1 where |x| and |y| are at most the radius
     tent,     ///< falls evenly with the distance, to 0 at the radius
-    gaussian  ///< exp(-d^2 / (2 sigma^2)), cut off at 2 sigma
+    gaussian  ///< exp(-d^2 / (2 sigma^2)), cut off at gaussianCut sigma
+  };
+  /// Where random and jittered samples take their numbers from.
+  enum class Numbers {
+    hashed,   ///< from a hash of the pixel and the sample
+    sequence  ///< from one sequence for the whole picture: math::sequenceNumber
   };
 
   /// Limits of the numbers below. A filter reaches at most kMaxReach pixels.
@@ -49,6 +54,15 @@ struct SamplingOptions {
   /// most half of that.
   double filterSize = 0.5;
 
+  // How the course of a year samples and filters.
+  Numbers numbers = Numbers::hashed;
+  /// Uniform samples stand at multiples of 2^-30 of a pixel, so that sums with them are exact: what
+  /// lies on an edge through the picture's middle stays on it.
+  bool isGridExact = false;
+  double gaussianCut = 2;        ///< in sigmas; infinite: not cut but where its reach ends
+  bool isFilterSingle = false;   ///< a box compares places in single precision
+  bool hasBorderSamples = true;  ///< pixels around the picture have samples, which count in it
+
   /// True where each pixel is the colour of the ray through its centre.
   bool isPlain() const {
     return pattern == Pattern::center && filter == FilterKind::box && filterSize == 0.5;
@@ -61,8 +75,9 @@ struct RenderOptions {
   bool shadows = true;              ///< cast shadow rays
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
-  bool nestedDielectrics = false;   ///< indices follow from what a ray is inside of, by priority
-  bool fresnel = false;             ///< reflection follows from index and angle
+  bool darkBacks = false;  ///< else a side seen from behind sends back no light, ambient or other
+  bool nestedDielectrics = false;  ///< indices follow from what a ray is inside of, by priority
+  bool fresnel = false;            ///< reflection follows from index and angle
   Epsilon epsilon;
   SamplingOptions sampling;
 };

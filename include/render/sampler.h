@@ -13,13 +13,17 @@
 ///   jittered   one anywhere in each cell of such a grid, of side s;
 ///   adaptive   likewise; for pixels that need more, samples that can be taken by and by: the first
 ///              s^2 4^k of them, for every k, are one in each cell of a grid of side s 2^k.
+/// Random numbers are hashed from the pixel and the sample, or, for `random` and `jittered`, come
+/// from one sequence that is drawn from in the order of a scan: columns from the left, the pixels
+/// of each from the lowest, the samples of each by number, two draws for each sample.
 /// Source: the idea of refining a pattern cell by cell is that of Painter and Sloan,
 /// "Antialiased Ray Tracing by Adaptive Progressive Refinement", 1989.
 class Sampler {
  public:
   /// The counts of `options` are within their limits; all but those of `random` are rounded up to
   /// a square, and maxSamples to s^2 4^k.
-  explicit Sampler(const SamplingOptions& options);
+  /// Where numbers come from a sequence, `height` is the picture's, in pixels.
+  explicit Sampler(const SamplingOptions& options, int height = 1);
 
   /// How many samples a pixel has at most.
   int getNumSamples() const { return most_; }
@@ -42,7 +46,12 @@ class Sampler {
   int quarterOf(const Vec2d& sample, const Cell& cell) const;
   Vec2d newSampleIn(std::uint64_t pixel, const Cell& cell) const;
 
+  Vec2d sequencePosition(int i, int j, int n) const;
+
   SamplingOptions::Pattern pattern_;
+  SamplingOptions::Numbers numbers_;
+  int height_;
+  bool isGridExact_;
   int side_;  // s
   int first_, most_;
 };

@@ -10,6 +10,7 @@
 #include "geometry/group.h"
 #include "geometry/mesh_geometry.h"
 #include "scene/input_error.h"
+#include "scene/scene_rules.h"
 #include "scene/solid_objects.h"
 #include "shading/light.h"
 #include "shading/material.h"
@@ -20,10 +21,13 @@ class SourceText;
 class SceneParser {
  public:
   /// Reads `filename` ("-" is standard input) and the meshes it names. Throws InputError at the
-  /// first mistake. Where `places` is given, also enters there where each object stands.
-  explicit SceneParser(const char* filename, ObjectPlaces* places = nullptr);
+  /// first mistake. Where `places` is given, also enters there where each object stands. `rules`
+  /// say what words mean.
+  explicit SceneParser(const char* filename, ObjectPlaces* places = nullptr,
+                       const SceneRules& rules = {});
   /// The same of a scene file that has been read already.
-  explicit SceneParser(const SourceText& text, ObjectPlaces* places = nullptr);
+  explicit SceneParser(const SourceText& text, ObjectPlaces* places = nullptr,
+                       const SceneRules& rules = {});
   ~SceneParser();
   SceneParser(const SceneParser&) = delete;
   SceneParser& operator=(const SceneParser&) = delete;

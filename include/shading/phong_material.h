@@ -30,18 +30,20 @@ Number halfwayCosine(const Vec3<Number>& v, const Vec3<Number>& n, const Vec3<Nu
   return choose(size > 0, dot(n, halfway) / size, Number(0));
 }
 
-/// lightColor * ((n.l) diffuse + c^exponent specular), rounded to float. Black where n.l <= 0, for
-/// a light behind the surface lights nothing, and a NaN counts as one; no highlight where c <= 0.
+/// lightColor * ((n.l) diffuse + c^exponent specular), rounded to float; where `isDimmed`, the
+/// highlight too is multiplied by n.l. Black where n.l <= 0, for a light behind the surface lights
+/// nothing, and a NaN counts as one; no highlight where c <= 0.
 template <class Number>
 Vec3<Number> reflectedLight(const Vec3<Number>& n, const Vec3<Number>& l, const Number& c,
                             const Vec3<Number>& lightColor, const Vec3<Number>& diffuse,
-                            const Vec3<Number>& specular, const Number& exponent) {
+                            const Vec3<Number>& specular, const Number& exponent, bool isDimmed) {
   const Number cosine = dot(n, l);
   Vec3<Number> reflected = diffuse * cosine;
   // The power is the costly step: not for a highlight that is black anyway.
   const MaskOf<Number> isBright = (c > 0) & isNotZero(specular);
   if (any(isBright)) {
-    reflected = choose(isBright, reflected + specular * math::pow(c, exponent), reflected);
+    const Number power = math::pow(c, exponent), factor = isDimmed ? power * cosine : power;
+    reflected = choose(isBright, reflected + specular * factor, reflected);
   }
   return choose(cosine > 0, roundedToFloat(lightColor * reflected), Vec3<Number>());
 }
@@ -61,6 +63,10 @@ class PhongMaterial : public Material {
   /// RGB factors of the highlight; where black there is none.
   Vec3f getSpecularColor() const { return specularColor_; }
   float getExponent() const { return exponent_; }
+  /// True where the highlight is multiplied by n.l, as diffuse light is. It is not, unless that is
+  /// asked for, while the scene is being read.
+  bool isHighlightDimmed() const { return isHighlightDimmed_; }
+  void dimHighlight() { isHighlightDimmed_ = true; }
 
   /// The formula above. Black where n.l <= 0; no highlight where c <= 0, even for exponent 0.
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
@@ -73,6 +79,7 @@ class PhongMaterial : public Material {
 
   Vec3f specularColor_;
   float exponent_;
+  bool isHighlightDimmed_ = false;
 };
 
 /// The halfway vector turns half as fast as the mirror direction, so 4 times the exponent of a

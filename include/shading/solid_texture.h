@@ -1,4 +1,4 @@
-// SolidTexture: a material that is mixed, point by point in space, from two others; and the four
+// SolidTexture: a material that is mixed, point by point in space, from two others; and the five
 // kinds of it, which differ in how much of the second material there is at a point.
 //
 // What a texture is made of may be textures again, to any depth; at every point it comes down to a
@@ -106,40 +106,43 @@ class Checkerboard : public SolidTexture {
   double size_;
 };
 
-/// Soft clouds: the second material has the weight (1 + N) / 2, N being math::fractalNoise.
+/// Soft clouds: the second material has the weight 1/2 + slope N, N being math::fractalNoise.
 class Noise : public SolidTexture {
  public:
-  /// 1 <= octaves <= math::kMaxOctaves.
-  Noise(const Matrix& toTexture, const Component& first, const Component& second, int octaves)
-      : SolidTexture(toTexture, first, second), octaves_(octaves) {}
+  /// 0 <= octaves <= math::kMaxOctaves; slope is any finite number.
+  Noise(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
+        double slope = 0.5)
+      : SolidTexture(toTexture, first, second), octaves_(octaves), slope_(slope) {}
   const char* getKind() const override { return "Noise"; }
 
  private:
   double weightOfSecond(const Vec3d& p) const override;
 
   int octaves_;
+  double slope_;
 };
 
 /// Waves along a distance d, disturbed by noise: the second material has the weight
-/// (1 + sin(frequency d + amplitude N)) / 2. Where the sine is NaN (an infinite angle) there is
-/// only the first.
+/// (1 + height sin(frequency d + amplitude N)) / 2. Where the sine is NaN (an infinite angle) there
+/// is only the first.
 class WaveTexture : public SolidTexture {
  public:
   /// octaves as for Noise; frequency in radians per unit of the texture's space, amplitude in
-  /// radians, both any finite number.
+  /// radians, both any finite number; height 1, or -1, which exchanges the materials.
   WaveTexture(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
-              double frequency, double amplitude)
+              double frequency, double amplitude, double height = 1)
       : SolidTexture(toTexture, first, second),
         octaves_(octaves),
         frequency_(frequency),
-        amplitude_(amplitude) {}
+        amplitude_(amplitude),
+        height_(height) {}
 
  private:
   double weightOfSecond(const Vec3d& p) const override;
   virtual double distanceAt(const Vec3d& p) const = 0;
 
   int octaves_;
-  double frequency_, amplitude_;
+  double frequency_, amplitude_, height_;
 };
 
 /// Layers across the x axis: d is x.
@@ -160,4 +163,25 @@ class Wood : public WaveTexture {
 
  private:
   double distanceAt(const Vec3d& p) const override;
+};
+
+/// Wood with narrow dark rings and a long grain: rings around the y axis that lean a little, and
+/// noise that is stretched five times along it. The first material has the weight s^2, with
+///   s = 1/2 + sin(frequency (sqrt(x^2 + z^2) + 0.05 y) + amplitude N(x, 0.2 y, z)), within 0..1.
+class GrainedWood : public SolidTexture {
+ public:
+  /// As for WaveTexture.
+  GrainedWood(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
+              double frequency, double amplitude)
+      : SolidTexture(toTexture, first, second),
+        octaves_(octaves),
+        frequency_(frequency),
+        amplitude_(amplitude) {}
+  const char* getKind() const override { return "Wood"; }
+
+ private:
+  double weightOfSecond(const Vec3d& p) const override;
+
+  int octaves_;
+  double frequency_, amplitude_;
 };

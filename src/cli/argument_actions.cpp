@@ -28,8 +28,9 @@ using CellPicture = Acceleration::CellPicture;
 template <class Piece, class Value>
 Value& memberOf(Request& request, Value Piece::*member) {
   PictureRequest& picture = request.render.picture;
-  const auto pieces = std::tie(request, picture, picture.render, picture.acceleration,
-                               request.render.results, request.run, request.compare);
+  const auto pieces =
+      std::tie(request, picture, picture.render, picture.rules, picture.acceleration,
+               request.render.results, request.run, request.compare);
   return std::get<Piece&>(pieces).*member;
 }
 
@@ -90,6 +91,23 @@ void wantDepth(Words words, Draft& draft) {
   const double depthMax = words.anyNumber(first + 1, std::string("MAX") + kOrders);
   if (depthMin == depthMax) words.fail(first, "MIN and MAX to differ");
   want(draft, {Kind::depth, words.file(first == 0 ? 2 : 0), depthMin, depthMax});
+}
+
+/// What it brings holds since before the first argument: startFrom.
+void setCourse(Words words, Draft& draft) {
+  draft.render.picture.course = &courseAt(words.choice(false));
+}
+
+/// Without effect, which is told.
+void addIdle(Words words, Draft& draft) {
+  std::string& idle = draft.render.picture.idle;
+  idle += (idle.empty() ? "-" : ", -") + words.name();
+}
+
+/// The numbers must be right all the same.
+void addTessellation(Words words, Draft& draft) {
+  for (const std::size_t index : {0, 1}) words.integer(index, 1, std::numeric_limits<int>::max());
+  addIdle(words, draft);
 }
 
 void setSize(Words words, Draft& draft) {
@@ -227,12 +245,14 @@ void wantHelp(Words words, Draft& draft) {
 constexpr std::string_view kEpsilons[] = {"course", "adaptive"};
 constexpr std::string_view kAccelerators[] = {"fast", "tree"};
 constexpr std::string_view kLevels[] = {"auto", "baseline", "avx2", "avx512"};
-constexpr std::string_view kTopics[] = {"scene", "materials", "samples",    "output",  "inside",
-                                        "grid",  "parts",     "checkpoint", "compare", "limits"};
+constexpr std::string_view kTopics[] = {"scene",      "course",  "materials", "samples",
+                                        "output",     "inside",  "grid",      "parts",
+                                        "checkpoint", "compare", "limits"};
 
 /// With groups apart as in the list; each row belongs to runs that render unless it says otherwise.
 constexpr ArgumentAction kActions[] = {
     {"input", setFile<&PictureRequest::scene>},
+    {"course", setCourse, Mode::rendering, kCourseNames},
 
     {"output", wantPicture<Kind::color>},
     {"size", setSize},
@@ -260,6 +280,7 @@ constexpr ArgumentAction kActions[] = {
     {"transparent_shadows", set<&RenderOptions::transparentShadows>},
     {"shade_back", set<&RenderOptions::shadeBack>},
     {"nested_dielectrics", set<&RenderOptions::nestedDielectrics>},
+    {"specular_fix", set<&SceneRules::areHighlightsDimmed>},
     {"fresnel", set<&RenderOptions::fresnel>},
 
     {"region", setRegion},
@@ -286,6 +307,10 @@ constexpr ArgumentAction kActions[] = {
     {"pixel_obj", wantPicture<Kind::rays>},
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
+
+    {"gui", addIdle},
+    {"gouraud", addIdle},
+    {"tessellation", addTessellation},
 
     {"progress", set<&RunRequest::progress>},
     {"preview", set<&ResultRequest::preview>},

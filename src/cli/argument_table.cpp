@@ -16,6 +16,8 @@ namespace {
 constexpr const char* kList = R"(Reading:
   -input FILE            scene to read (needed but for -compare and -merge); -
                          is standard input
+  -course 2003|2004      the year of the course whose rules and defaults hold;
+                         what is given besides wins (default: 2003)
 
 Pictures:
   -output FILE           image to write; the ending picks the format: .tga,
@@ -78,6 +80,8 @@ Shadows and materials:
   -nested_dielectrics    the index of refraction on either side follows from
                          what a ray has entered and not left; where objects
                          overlap, the larger priority of their materials holds
+  -specular_fix          highlights are dimmed by the angle of the light as
+                         diffuse light is
   -fresnel               how much is reflected follows from index and angle;
                          glass dims with the length inside
 
@@ -136,6 +140,11 @@ Looking inside:
                          boxes
   -visualize_grid_count  the same in colours, from white for one object in a
                          cell to red for more than 32
+
+Of the pages of 2004 alone:
+  -gui                   accepted without effect: no window is opened
+  -gouraud               the same
+  -tessellation A B      the same
 
 Information:
   -progress              tell on standard error how far the picture is, even

@@ -67,6 +67,8 @@ class ArgumentWords {
   ArgumentWords(const ArgumentRow& row, const std::vector<std::string>& words)
       : row_(row), words_(words) {}
 
+  /// The argument's, without dashes.
+  const std::string& name() const { return row_.name; }
   const std::string& operator[](std::size_t index) const { return words_[index]; }
   const std::vector<std::string>& all() const { return words_; }
 

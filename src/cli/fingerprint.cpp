@@ -69,11 +69,11 @@ void addArguments(const std::vector<GivenArgument>& arguments, Sha256& hash) {
 
 bool changesPicture(const std::string& name) {
   static constexpr const char* kUnseen[] = {
-      "input",     "output",  "depth",     "normals",    "render_samples",  // see addPictures
-      "accel",     "threads", "simd",      "stats",      "render_filter",   // likewise
-      "quiet",     "check",   "help",      "version",    "progress",
-      "materials", "heatmap", "pixel_obj", "checkpoint", "memory_limit",
-      "preview",   "man",     "completion"};
+      "input",      "output",    "depth",      "normals",      "render_samples",  // see addPictures
+      "accel",      "threads",   "simd",       "stats",        "render_filter",   // likewise
+      "quiet",      "check",     "help",       "version",      "progress",       "materials",
+      "heatmap",    "pixel_obj", "checkpoint", "memory_limit", "preview",        "man",
+      "completion", "gui",       "gouraud",    "tessellation"};
   return std::find(std::begin(kUnseen), std::end(kUnseen), name) == std::end(kUnseen);
 }
 

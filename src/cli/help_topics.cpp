@@ -115,8 +115,8 @@ textures again. They have the fields
   Transform { step ... }  from the world to the pattern; left out: none
 and, none of which may be left out but size,
   Checkerboard      size F          above 0; left out: 1
-  Noise             octaves I       1 to 32
-  Marble, Wood      octaves I       1 to 32
+  Noise             octaves I       0 to 32
+  Marble, Wood      octaves I       0 to 32
                     frequency F     any
                     amplitude F     any
 The priority of a texture is that of its first material.
@@ -204,6 +204,66 @@ GRAMMAR
            | Matrix { F ^ 16 }
 )"},
 
+    {"course", "-course: what differs from year to year", 1 + R"(
+The course is given every year, with other defaults and rules for a pixel.
+-course NAME chooses whose hold; an argument that is given besides wins over a
+default, whatever their order. The scene language is the same.
+
+  rule                   2003 (default)           2004
+  shadows                on                       off: -shadows
+  -bounces               5                        0
+  -weight                0.01                     0
+  -epsilon               course or adaptive       0.001
+  a surface seen from    lit where its front is   black but for mirror and
+  behind, without        lit                      refraction: no light, no
+  -shade_back                                     ambient light
+  PhongMaterial's and    (r.l)^exponent           (n.h)^exponent
+  Material's highlight
+  Noise: weight of the   (1 - N) / 2              N + 1/2, from 0 to 1
+  first material
+  Marble: weight of the  (1 - sin(f x + a N))     (1 + sin(f x + a N)) / 2
+  first material         / 2
+  Wood: weight of the    (1 - sin(f r + a N))     s^2, s = 1/2 + sin(f (r +
+  first material         / 2                      y/20) + a N(x, y/5, z)),
+                                                  from 0 to 1
+  numbers of random and  a hash of pixel and      one sequence over columns,
+  jittered samples       sample                   rows and samples: drand48's,
+                                                  begun at 0
+  gaussian filter        cut at 2 sigma           not cut, from pixels up to 2
+                                                  sigma away
+  samples beyond the     taken as inside          none: the weights that remain
+  picture's border                                count
+  -visualize_grid        white boxes              counts, as with
+                                                  -visualize_grid_count
+  colours of counts      8, up to more than 32    17, up to more than 16
+  a cell of a grid       what reaches into it     what its box touches; plain
+  holds                                           spheres by the cell's centre
+  shadows on cells       as in the scene          none
+
+N is the noise of 'raytracer -help materials', f and a are frequency and
+amplitude, r the distance from the y axis. All else is as in 2003: the grammar,
+-depth, -normals, adaptive samples, which keep their own numbers.
+
+-specular_fix, of one of the pages of 2004, multiplies highlights by n.l, in any
+course. -gui, -gouraud and -tessellation A B of its pages open a window there;
+with -course 2004 they are taken, have no effect, and one line says so.
+
+THE COMMANDS OF 2004, AS ITS PAGES HAVE THEM, FOR SCENES OF OURS
+  raytracer -course 2004 -input scenes/01_exponent_ramp.txt -size 300 300 \
+    -output a.tga -specular_fix
+  raytracer -course 2004 -input scenes/06_mirror_balls.txt -size 200 200 \
+    -output b.tga -shadows -bounces 5 -weight 0.01 -epsilon 0.0001
+  raytracer -course 2004 -input scenes/31_grid_cells.txt -size 200 200 \
+    -output c.tga -gui -grid 15 15 15 -visualize_grid
+  raytracer -course 2004 -input scenes/30_star.txt -size 9 9 \
+    -jittered_samples 9 -render_samples d.tga 20
+  raytracer -course 2004 -input scenes/24_marble_wood_noise.txt \
+    -size 200 200 -output e.tga -jittered_samples 9 -tent_filter 1 \
+    -epsilon 0.0001
+The pictures of its assignments 6 to 8 were made with -epsilon 0.0001, those of
+4 with -weight 0.1.
+)"},
+
     {"materials", "kinds of material, textures, glass, tinted shadows", 1 + R"(
 The fields of every kind of material are in 'raytracer -help scene'.
 
@@ -281,15 +341,15 @@ mirror and refraction:
   Marble        w = (1 + sin(frequency x + amplitude N)) / 2
   Wood          w = (1 + sin(frequency r + amplitude N)) / 2, r the distance
                 from the y axis
-N is noise(p) + noise(2 p) / 2 + noise(4 p) / 4 ..., octaves terms, with
-Perlin's improved noise of 2002. Coordinates may be of any size: where x is too
-large for a sine (infinite), w is 0. The weight that -weight looks at is
-multiplied by w too: mirrors that hardly show are not traced. A material that a
-texture comes to in several ways is traced once, with the sum of weights; of a
-chain of textures each is looked at once. With -transparent_shadows a textured
-object tints by (1 - w) and w times its materials' colours at the place where
-the light enters it (leaves it, where the lamp is inside), and a place where
-that is black is opaque.
+N is noise(p) + noise(2 p) / 2 + noise(4 p) / 4 ..., octaves terms (0 of them
+make 0; -course 2004 has other weights), with Perlin's improved noise of 2002.
+Coordinates may be of any size: where x is too large for a sine (infinite), w is
+0. The weight that -weight looks at is multiplied by w too: mirrors that hardly
+show are not traced. A material that a texture comes to in several ways is
+traced once, with the sum of weights; of a chain of textures each is looked at
+once. With -transparent_shadows a textured object tints by (1 - w) and w times
+its materials' colours at the place where the light enters it (leaves it, where
+the lamp is inside), and a place where that is black is opaque.
 
 TINTED SHADOWS
   raytracer -input scenes/08_glass_bars.txt -output out.tga -transparent_shadows

@@ -183,8 +183,7 @@ void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
     // The filter's picture has nothing to do with rays, and that of one pixel's rays is a text.
     if (output.kind == Kind::filter) {
       const SamplingOptions& sampling = picture.render.sampling;
-      output.image = drawFilter({sampling.filter, sampling.filterSize}, picture.width,
-                                picture.height, output.zoom);
+      output.image = drawFilter(Filter(sampling), picture.width, picture.height, output.zoom);
     } else if (output.kind != Kind::rays) {
       output.image = Image(area.width() * output.zoom, area.height() * output.zoom);
       if (wantsFloats(output)) output.exact = FloatImage(area.width(), area.height());

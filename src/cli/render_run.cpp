@@ -143,7 +143,8 @@ void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   const PictureRequest& picture = request_.picture;
   const bool counts = request_.results.stats;
   watch_.restart();
-  const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, run_.threads, counts);
+  const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, picture.course->cells,
+                               run_.threads, counts);
   stats_.simd = geometry.simd();
   stats_.tree = geometry.description();
   stats_.threads = run_.threads;

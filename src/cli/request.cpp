@@ -59,9 +59,24 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
   return found;
 }
 
+/// Enters the rules and defaults of the course that the last -course chooses, before any argument
+/// speaks. A name that is none is told when its turn comes.
+void startFromCourse(const std::vector<std::string>& words, Draft& draft) {
+  PictureRequest& picture = draft.render.picture;
+  const WordList names(kCourseNames);
+  for (std::size_t at = 1; at < words.size(); ++at) {
+    const auto found = std::find(names.begin(), names.end(), words[at]);
+    if (nameOf(words[at - 1]) != "course" || found == names.end()) continue;
+    picture.course = &courseAt(std::size_t(found - names.begin()));
+  }
+  picture.render = picture.course->render;
+  picture.rules = picture.course->scene;
+}
+
 /// Enters all arguments in `draft`; the rows of them all, in their order. Of equal arguments the
 /// last one wins.
 std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& words, Draft& draft) {
+  startFromCourse(words, draft);
   std::vector<const ArgumentRow*> rows;
   std::vector<GivenArgument>& given = draft.render.given;
   for (std::size_t at = 0; at < words.size();) {
@@ -105,6 +120,11 @@ void checkComplete(const Draft& draft) {
     failUsage(counts ? "-visualize_grid_count" : "-visualize_grid",
               ": expected a grid to draw, for example -grid 20 20 20, found none",
               isTree ? " but -accel tree" : "");
+  }
+  const PictureRequest& picture = draft.render.picture;
+  if (!picture.idle.empty() && !picture.course->hasWindows) {
+    failUsage(picture.idle, ": expected -course 2004 too, found the course of ",
+              std::string(picture.course->name));
   }
   if (draft.render.picture.scene.empty()) {
     failUsage("expected a scene, found no -input FILE");
@@ -212,6 +232,9 @@ Request parseRequest(const std::vector<std::string>& words, const RunRequest& de
   checkMode(draft, given);
   if (draft.compare.isWanted() || draft.merge.isWanted()) return draft;
   checkComplete(draft);
+  if (picture.acceleration.cellPicture != Acceleration::CellPicture::none) {
+    picture.render.shadows &= picture.course->cells.haveShadows;
+  }
   checkZooms(draft.render);
   checkPixel(draft.render);
   picture.isPart = draft.region || draft.band;

@@ -12,6 +12,7 @@
 
 #include "accel/compiled_scene.h"
 #include "accel/grid/grid_frame.h"
+#include "cli/course.h"
 #include "cli/program.h"
 #include "render/image_plane.h"
 #include "render/render_options.h"
@@ -47,7 +48,10 @@ struct PictureRequest {
   /// The pixels that are rendered, within the picture, counted from its lower left corner.
   PixelRectangle area{0, 0, 100, 100};
   bool isPart = false;  ///< -region or -tile: `area` is rendered as a part, for -merge
-  RenderOptions render;
+  const Course* course = &courseAt(0);  ///< not owned
+  RenderOptions render;                 ///< the course's, as arguments change them
+  SceneRules rules;                     ///< likewise
+  std::string idle;  ///< arguments that were accepted and do nothing, "-gui, -gouraud"; or ""
   Acceleration acceleration;
 };
 

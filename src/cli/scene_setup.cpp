@@ -19,18 +19,6 @@ namespace {
 
 using Pattern = SamplingOptions::Pattern;
 
-/// How -visualize_grid_count paints a cell of at most so many objects; the last one holds for all
-/// that have more. README.txt shows the same list.
-struct CountColor {
-  std::size_t most;
-  Vec3f color;
-};
-constexpr CountColor kCountColors[] = {
-    {1, {1, 1, 1}},          {2, {0.6f, 0.3f, 0.9f}},  {3, {0.2f, 0.3f, 1}},
-    {4, {0.2f, 0.8f, 0.9f}}, {8, {0.2f, 0.8f, 0.2f}},  {16, {1, 0.9f, 0.1f}},
-    {32, {1, 0.5f, 0.1f}},   {33, {0.9f, 0.1f, 0.1f}},
-};
-
 /// What messages call the scene.
 std::string displayName(const std::string& input) {
   return input == "-" ? "standard input" : input;
@@ -73,7 +61,7 @@ SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNo
     if (!run.checkpoint.empty() || render.picture.isPart) {
       notes.digest = sha256(bytes.data(), bytes.size());
     }
-    return SceneParser(text, render.results.pixel ? &notes.places : nullptr);
+    return SceneParser(text, render.results.pixel ? &notes.places : nullptr, render.picture.rules);
   });
 }
 
@@ -83,6 +71,8 @@ void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet)
     for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
     warnOfSimd(picture.acceleration.simd);
     warnOfSamples(options.sampling);
+    if (!picture.idle.empty())
+      complain("note: no window is opened: " + picture.idle + " without effect");
   }
   // These ask what a ray is inside of, which only a closed mesh can tell.
   if (options.transparentShadows || options.nestedDielectrics || options.fresnel) {
@@ -106,8 +96,8 @@ int checkScene(const std::string& file, bool quiet) {
   return print(displayName(file) + ": no mistakes found\n");
 }
 
-SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads,
-                             bool counts)
+SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted,
+                             const CellRules& cells, int threads, bool counts)
     : root_(root) {
   TestTally* const tally = counts ? &tally_ : nullptr;
   if (wanted.kind == Acceleration::Kind::fast) {
@@ -116,7 +106,7 @@ SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted, i
     description_ = compiled->describe();
     built_ = std::move(compiled);
   } else if (wanted.cellPicture != Acceleration::CellPicture::none) {
-    buildCells(wanted);
+    buildCells(wanted, cells);
   } else if (wanted.kind == Acceleration::Kind::grid) {
     auto grid = std::make_unique<Grid>(root, wanted.gridSize, GridLimits{}, tally);
     description_ = grid->describe();
@@ -127,15 +117,17 @@ SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted, i
 }
 
 /// Where cells are not told apart, all are painted as those of one object.
-void SceneGeometry::buildCells(const Acceleration& wanted) {
-  const bool tells = wanted.cellPicture == Acceleration::CellPicture::counts;
-  for (const CountColor& each : kCountColors) {
+void SceneGeometry::buildCells(const Acceleration& wanted, const CellRules& rules) {
+  const bool counts = rules.alwaysCounts || wanted.cellPicture == Acceleration::CellPicture::counts;
+  for (const CellPaint& each : rules.paints) {
     paints_.emplace_back(each.color, Vec3f(), 1.0f, Vec3f(), Vec3f(), 1.0f);
   }
   std::vector<const Material*> palette;  // by the number of objects
-  for (std::size_t i = 0; i < (tells ? paints_.size() : 1); ++i) {
-    palette.resize(kCountColors[i].most, &paints_[i]);
+  for (std::size_t i = 0; i < (counts ? paints_.size() : 1); ++i) {
+    palette.resize(rules.paints[i].most, &paints_[i]);
   }
-  built_ = std::make_unique<GridView>(root_, wanted.gridSize, std::move(palette));
+  CellCounts cells = rules.areTouched ? countTouched(root_, wanted.gridSize)
+                                      : countReached(root_, wanted.gridSize);
+  built_ = std::make_unique<GridView>(std::move(cells), std::move(palette));
   description_ = "cells of a grid";
 }

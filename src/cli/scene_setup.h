@@ -33,8 +33,9 @@ int checkScene(const std::string& file, bool quiet);
 class SceneGeometry {
  public:
   /// Builds what is wanted with `threads` >= 1 threads; where `counts`, it counts what its answers
-  /// take. `root`, the scene's group, is not owned.
-  SceneGeometry(const Object3D& root, const Acceleration& wanted, int threads, bool counts);
+  /// take. `root`, the scene's group, is not owned; `cells` say how those of a grid are drawn.
+  SceneGeometry(const Object3D& root, const Acceleration& wanted, const CellRules& cells,
+                int threads, bool counts);
 
   const Object3D& object() const { return built_ ? *built_ : root_; }
   /// What object() has counted, where it was to count; but for a picture of cells.
@@ -45,7 +46,7 @@ class SceneGeometry {
   const std::string& description() const { return description_; }
 
  private:
-  void buildCells(const Acceleration& wanted);
+  void buildCells(const Acceleration& wanted, const CellRules& rules);
 
   const Object3D& root_;
   TestTally tally_;

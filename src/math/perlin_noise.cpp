@@ -83,7 +83,7 @@ double noise(const Vec3d& p) {
 }
 
 double fractalNoise(const Vec3d& p, int octaves) {
-  assert(octaves >= 1 && octaves <= kMaxOctaves);
+  assert(octaves >= 0 && octaves <= kMaxOctaves);
   // The scale is a power of two: to multiply or divide by it rounds nothing.
   double sum = 0, scale = 1;
   for (int i = 0; i < octaves; ++i) {

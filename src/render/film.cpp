@@ -2,10 +2,10 @@
 //
 // A filter is a function of the place and of one size: a box, 1 in a square around the centre, its
 // border included; a tent, really a cone, 1 - d / size at the distance d; or a gaussian,
-// exp(-d^2 / (2 size^2)) up to d = 2 size, and 0 beyond. A sample is splatted: added to
-// every pixel within the filter's reach with the weight that it has as seen from there, so a film
-// needs each sample once and keeps none. Colours and places of the two pictures are those of the
-// course's own: MIT 6.837, "Supersampling and Antialiasing", 2004.
+// exp(-d^2 / (2 size^2)) up to d = 2 size, and 0 beyond, unless it is not to be cut. A sample is
+// splatted: added to every pixel within the filter's reach with the weight that it has as seen from
+// there, so a film needs each sample once and keeps none. Colours and places of the two pictures
+// are those of the course's own: MIT 6.837, "Supersampling and Antialiasing", 2004.
 #include "render/film.h"
 
 #include <algorithm>
@@ -28,15 +28,18 @@ int placeOf(double offset, int zoom) { return std::min(int(offset * zoom), zoom 
 
 }  // namespace
 
-Filter::Filter(FilterKind kind, double size)
-    : kind_(kind),
-      size_(size),
-      supportRadius_(pixelsWithin(kind == FilterKind::gaussian ? 2 * size : size)) {}
+Filter::Filter(const SamplingOptions& options)
+    : kind_(options.filter),
+      size_(options.filterSize),
+      cut_(options.gaussianCut),
+      isSingle_(options.isFilterSingle),
+      supportRadius_(pixelsWithin(kind_ == FilterKind::gaussian ? 2 * size_ : size_)) {}
 
 double Filter::getWeight(double x, double y) const {
   const double squared = x * x + y * y;
   switch (kind_) {
     case FilterKind::box:
+      if (isSingle_) return float(std::max(std::fabs(x), std::fabs(y))) <= float(size_) ? 1 : 0;
       return std::fabs(x) <= size_ && std::fabs(y) <= size_ ? 1 : 0;
     case FilterKind::tent:
       return std::max(0.0, 1 - std::sqrt(squared) / size_);
@@ -44,7 +47,8 @@ double Filter::getWeight(double x, double y) const {
       break;
   }
   const double ratio = squared / (size_ * size_);
-  return ratio <= 4 ? math::exp(-ratio / 2) : 0;  // 0 / 0, where sigma^2 underflows, is beyond
+  return ratio <= cut_ * cut_ ? math::exp(-ratio / 2)
+                              : 0;  // 0 / 0, where sigma^2 underflows, is beyond
 }
 
 Film::Film(const PixelRectangle& area, const Filter& filter)

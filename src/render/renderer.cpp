@@ -156,8 +156,8 @@ Tiling tilingOf(Vec2<int> size, const Sampler& sampler, int reach, int threads) 
 /// many threads.
 Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int> size,
                  const SamplingOptions& options, int threads) {
-  const Sampler sampler(options);
-  const Filter filter(options.filter, options.filterSize);
+  const Sampler sampler(options, view.height);
+  const Filter filter(options);
   const int reach = targets.color ? filter.getSupportRadius() : 0;  // of samples that count
   const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
     const PixelRectangle inPicture = area.moved(targets.window.left, targets.window.bottom);
@@ -169,7 +169,9 @@ Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int
         drawSample(*targets.samples, targets.samplesZoom, sample, color);
       }
     };
-    takeSamples({view, tracer, sampler, options.tolerance}, inPicture.grown(reach), take);
+    const PixelRectangle around = inPicture.grown(reach), whole = {0, 0, view.width, view.height};
+    takeSamples({view, tracer, sampler, options.tolerance},
+                options.hasBorderSamples ? around : around.within(whole), take);
     if (!targets.color) return;
     for (const Pixel at : pixelsInOrder(inPicture)) {
       set(targets.color, targets.exactColor, inTargets(targets, at), film.getColor(at));

@@ -1,7 +1,7 @@
 // The patterns of samples.
 //
 // Random numbers are hashed from the pixel and a count: the nth number of a pixel is there without
-// those before it, and neighbours have nothing in common.
+// those before it, and neighbours have nothing in common. Those of a sequence are jumped to.
 //
 // The jittered pattern is refined like this. A grid of side s has a sample in each cell. For the
 // grid of twice the side each cell is cut into four quarters: its own sample lies in one of them
@@ -11,6 +11,7 @@
 #include "render/sampler.h"
 
 #include <cassert>
+#include <cmath>
 
 #include "math/functions.h"
 
@@ -34,6 +35,9 @@ Vec2d pointInCell(int x, int y, int side, const Vec2d& within) {
   return {(x + within.x()) / side, (y + within.y()) / side};
 }
 
+/// The nearest multiple of 2^-30 to x from 0 to 1; of 1 - x it is 1 minus that.
+double toGrid(double x) { return std::floor(x * 0x1p30 + 0.5) * 0x1p-30; }
+
 /// The side of the smallest square grid with at least `samples` >= 1 cells.
 int gridSide(int samples) {
   int side = 1;
@@ -43,8 +47,11 @@ int gridSide(int samples) {
 
 }  // namespace
 
-Sampler::Sampler(const SamplingOptions& options)
+Sampler::Sampler(const SamplingOptions& options, int height)
     : pattern_(options.pattern),
+      numbers_(options.numbers),
+      height_(height),
+      isGridExact_(options.isGridExact),
       side_(pattern_ == Pattern::center ? 1 : gridSide(options.samples)),
       first_(pattern_ == Pattern::random ? options.samples : side_ * side_),
       most_(first_) {
@@ -53,10 +60,14 @@ Sampler::Sampler(const SamplingOptions& options)
 
 Vec2d Sampler::getSamplePosition(int i, int j, int n) const {
   assert(n >= 0 && n < getNumSamples());
+  const bool isDrawn = pattern_ == Pattern::random || pattern_ == Pattern::jittered;
+  if (isDrawn && numbers_ == SamplingOptions::Numbers::sequence) return sequencePosition(i, j, n);
   switch (pattern_) {
     case Pattern::center:
-    case Pattern::uniform:
-      return pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
+    case Pattern::uniform: {
+      const Vec2d middle = pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
+      return isGridExact_ ? Vec2d{toGrid(middle.x()), toGrid(middle.y())} : middle;
+    }
     case Pattern::random:
       return randomPoint(seedOf(i, j), std::uint64_t(n));
     case Pattern::jittered:
@@ -64,6 +75,15 @@ Vec2d Sampler::getSamplePosition(int i, int j, int n) const {
       break;
   }
   return jitteredPosition(seedOf(i, j), n);
+}
+
+/// A random sample's first draw is its y, that of a cell its x.
+Vec2d Sampler::sequencePosition(int i, int j, int n) const {
+  const auto pixel = std::uint64_t(i) * std::uint64_t(height_) + std::uint64_t(j);
+  const std::uint64_t draw = 2 * (pixel * std::uint64_t(most_) + std::uint64_t(n));
+  const double first = math::sequenceNumber(draw), second = math::sequenceNumber(draw + 1);
+  if (pattern_ == Pattern::random) return {second, first};
+  return pointInCell(n % side_, n / side_, side_, {first, second});
 }
 
 Vec2d Sampler::jitteredPosition(std::uint64_t pixel, int n) const {

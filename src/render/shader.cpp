@@ -43,11 +43,15 @@ Shader::Shader(const SceneParser& scene, const RenderOptions& options)
   options_.epsilon = resolved(options.epsilon, scene);
 }
 
+Vec3d Shader::ambient(const Surface& s) const {
+  return isDark(approachOf(s)) ? Vec3d() : ambient(*s.hit.getMaterial());
+}
+
 void Shader::sampleLight(int index, const Surface& s, LightSample& light) const {
   scene_->getLight(index)->getIllumination(s.hit.getIntersectionPoint(), light.direction,
                                            light.color, light.distance);
-  const double cosine = dot(s.hit.getNormal(), light.direction);
-  light.isInFront = isTurned(approachOf(s)) ? cosine < 0 : cosine > 0;
+  const double cosine = dot(s.hit.getNormal(), light.direction), approach = approachOf(s);
+  light.isInFront = !isDark(approach) && (isTurned(approach) ? cosine < 0 : cosine > 0);
 }
 
 void Shader::setShadowQuery(const Surface& s, const LightSample& light, ShadowQuery& query) const {

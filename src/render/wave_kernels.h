@@ -23,7 +23,7 @@ struct LightNumbers {
 
 /// A PhongMaterial or a BlinnPhongMaterial.
 struct PhongNumbers {
-  bool isBlinn;
+  bool isBlinn, isDimmed;  ///< isDimmed: the highlight too is multiplied by n.l
   double diffuse[3], specular[3], exponent;
 };
 

@@ -41,6 +41,7 @@ bool toNumbers(const Material& material, PhongNumbers& numbers) {
   copyTo(numbers.diffuse, phong.getDiffuseColor());
   copyTo(numbers.specular, phong.getSpecularColor());
   numbers.exponent = double(phong.getExponent());
+  numbers.isDimmed = phong.isHighlightDimmed();
   return true;
 }
 

@@ -268,10 +268,13 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
   for (int light = 0; light < tracer_.scene().getNumLights(); ++light) {
     addLight(light, generation, surfaces);
   }
+  const bool hasDarkSides = tracer_.shader().options().darkBacks;
   for (int g = 0; g < surfaces.groupCount; ++g) {
     const MaterialGroup& group = surfaces.groups[g];
     const Vec3d ambient = tracer_.shader().ambient(*group.material);
-    for (int k = group.first; k < group.last; ++k) surfaces.add(k, ambient);
+    for (int k = group.first; k < group.last; ++k) {
+      if (!hasDarkSides || rowOf(surfaces.lit, k) != Vec3d()) surfaces.add(k, ambient);
+    }
   }
   Branches(*this, generation, surfaces).addAll();
   for (const WaveHit* hit = met; hit != met + count; ++hit) {
@@ -284,18 +287,19 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
   }
 }
 
-/// Sets where rays that leave begin to look, and which side lights see.
+/// Sets where rays that leave begin to look, and which side lights see: 0 where none does.
 void WaveTracer::setSides(const WaveGeneration& generation, WaveSurfaces& surfaces) {
   const Shader& shader = tracer_.shader();
   for (int k = 0; k < surfaces.count; ++k) {
     surfaces.tmin[k] = double(shader.epsilonAt(generation.hits.magnitude[surfaces.ray[k]]));
   }
-  if (!shader.options().shadeBack) return;
+  if (!shader.options().shadeBack && !shader.options().darkBacks) return;
   for (double*& column : surfaces.lit) column = arena_.take<double>(std::size_t(surfaces.count));
   for (int k = 0; k < surfaces.count; ++k) {
     const Vec3d normal = rowOf(surfaces.normal, k);
-    const bool isTurned = shader.isTurned(dot(normal, rowOf(surfaces.view, k)));
-    setRowOf(surfaces.lit, k, isTurned ? -normal : normal);
+    const double approach = dot(normal, rowOf(surfaces.view, k));
+    const Vec3d lit = shader.isTurned(approach) ? -normal : normal;
+    setRowOf(surfaces.lit, k, shader.isDark(approach) ? Vec3d() : lit);
   }
 }
 

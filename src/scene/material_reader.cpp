@@ -113,12 +113,16 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
   if (exponentAt && exponent < 1 && anyPositive(specular)) {
     notes_.lowExponents.emplace_back(exponentAt, in_.quotedAt(exponentAt));
   }
-  if (owner == "BlinnPhongMaterial") {
-    return std::make_unique<BlinnPhongMaterial>(diffuse, specular, exponent, transparent,
-                                                reflective, index);
+  std::unique_ptr<PhongMaterial> material;
+  if (rules_.isHighlightHalfway || owner == "BlinnPhongMaterial") {
+    material = std::make_unique<BlinnPhongMaterial>(diffuse, specular, exponent, transparent,
+                                                    reflective, index);
+  } else {
+    material = std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
+                                               index);
   }
-  return std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
-                                         index);
+  if (rules_.areHighlightsDimmed) material->dimHighlight();
+  return material;
 }
 
 /// What a CookTorranceMaterial mirrors is given by one of two fields.
@@ -172,10 +176,17 @@ std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
   if (owner == "Checkerboard") {
     return std::make_unique<Checkerboard>(matrix, first, second, fields["size"].number());
   }
-  if (owner == "Noise") return std::make_unique<Noise>(matrix, first, second, words.octaves);
+  if (owner == "Noise") {
+    return std::make_unique<Noise>(matrix, first, second, words.octaves, rules_.noiseSlope);
+  }
   const double frequency = fields["frequency"].number(), amplitude = fields["amplitude"].number();
   if (owner == "Marble") {
-    return std::make_unique<Marble>(matrix, first, second, words.octaves, frequency, amplitude);
+    return std::make_unique<Marble>(matrix, first, second, words.octaves, frequency, amplitude,
+                                    rules_.marbleHeight);
+  }
+  if (rules_.isWoodGrained) {
+    return std::make_unique<GrainedWood>(matrix, first, second, words.octaves, frequency,
+                                         amplitude);
   }
   return std::make_unique<Wood>(matrix, first, second, words.octaves, frequency, amplitude);
 }
@@ -236,7 +247,7 @@ bool MaterialReader::readTextureIndex(std::string_view owner, TextureWords& word
 bool MaterialReader::readOctaves(int& octaves) {
   const char* const at = in_.at();
   if (!in_.readWholeNumber("octaves", octaves)) return false;
-  if (octaves >= 1 && octaves <= math::kMaxOctaves) return true;
-  in_.reportFound(at, "octaves from 1 to " + std::to_string(math::kMaxOctaves));
+  if (octaves >= 0 && octaves <= math::kMaxOctaves) return true;
+  in_.reportFound(at, "octaves from 0 to " + std::to_string(math::kMaxOctaves));
   return false;
 }

@@ -8,13 +8,13 @@
 #include "scene/scene_reader.h"
 #include "scene/source_text.h"
 
-SceneParser::SceneParser(const char* filename, ObjectPlaces* places)
-    : SceneParser(SourceText::read(filename), places) {}
+SceneParser::SceneParser(const char* filename, ObjectPlaces* places, const SceneRules& rules)
+    : SceneParser(SourceText::read(filename), places, rules) {}
 
-SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places) {
+SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places, const SceneRules& rules) {
   MistakeLog log(MistakeLog::Mode::throwFirst);
   if (places) *places = ObjectPlaces(text.name(), text.bytes().data());
-  SceneReader(text, log, *this, places).read();
+  SceneReader(text, log, *this, places, rules).read();
 }
 
 SceneParser::~SceneParser() = default;
@@ -25,7 +25,7 @@ std::vector<InputError> SceneParser::check(const char* filename,
   try {
     const SourceText text = SourceText::read(filename);
     SceneParser scene;
-    SceneReader(text, log, scene, nullptr).read();
+    SceneReader(text, log, scene, nullptr, {}).read();
     if (warnings && log.count() == 0) *warnings = scene.getWarnings();
   } catch (const InputError& unreadable) {
     return {unreadable};

@@ -16,12 +16,12 @@ bool areParallel(const Vec3d& a, const Vec3d& b) {
 }  // namespace
 
 SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& scene,
-                         ObjectPlaces* places)
+                         ObjectPlaces* places, const SceneRules& rules)
     : in_(text, log),
       notes_(text),
       scene_(scene),
       meshes_(text, log, scene.meshes_),
-      materials_(in_, notes_, scene.materials_),
+      materials_(in_, notes_, scene.materials_, rules),
       objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}
 
 void SceneReader::read() {

@@ -66,8 +66,8 @@ class MaterialReader {
  public:
   /// All must outlive the reader.
   MaterialReader(FieldReader& in, SceneNotes& notes,
-                 std::vector<std::unique_ptr<Material>>& materials)
-      : in_(in), notes_(notes), materials_(materials) {}
+                 std::vector<std::unique_ptr<Material>>& materials, const SceneRules& rules)
+      : in_(in), notes_(notes), materials_(materials), rules_(rules) {}
 
   /// The section Materials, from behind its name.
   void readSection();
@@ -100,6 +100,7 @@ class MaterialReader {
   FieldReader& in_;
   SceneNotes& notes_;
   std::vector<std::unique_ptr<Material>>& materials_;
+  const SceneRules rules_;
   const Material* current_ = nullptr;  // not owned
   std::size_t currentPlace_ = 0;       // its place in the list
   bool isMissed_ = false;
@@ -157,7 +158,8 @@ bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& produ
 class SceneReader {
  public:
   /// All must outlive the reader. `places`, where not null, is told where each object stands.
-  SceneReader(const SourceText& text, MistakeLog& log, SceneParser& scene, ObjectPlaces* places);
+  SceneReader(const SourceText& text, MistakeLog& log, SceneParser& scene, ObjectPlaces* places,
+              const SceneRules& rules);
 
   /// Reads everything; mistakes go to the log.
   void read();

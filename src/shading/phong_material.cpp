@@ -11,7 +11,8 @@ Vec3f PhongMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLig
   const Vec3d &v = ray.getDirection(), &n = hit.getNormal(), l = dirToLight;
   const double c = highlightCosine(v, n, l);
   return Vec3f(phong_light::reflectedLight(n, l, c, Vec3d(lightColor), Vec3d(getDiffuseColor()),
-                                     Vec3d(specularColor_), double(exponent_)));
+                                           Vec3d(specularColor_), double(exponent_),
+                                           isHighlightDimmed_));
 }
 
 double PhongMaterial::highlightCosine(const Vec3d& v, const Vec3d& n, const Vec3d& l) const {

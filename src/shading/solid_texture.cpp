@@ -89,13 +89,21 @@ double Checkerboard::weightOfSecond(const Vec3d& p) const {
 }
 
 double Noise::weightOfSecond(const Vec3d& p) const {
-  return (1 + math::fractalNoise(p, octaves_)) / 2;
+  return 0.5 + slope_ * math::fractalNoise(p, octaves_);
 }
 
 double WaveTexture::weightOfSecond(const Vec3d& p) const {
   const double angle = frequency_ * distanceAt(p) + amplitude_ * math::fractalNoise(p, octaves_);
-  return (1 + math::sin(angle)) / 2;
+  return (1 + height_ * math::sin(angle)) / 2;
 }
 
 double Marble::distanceAt(const Vec3d& p) const { return p.x(); }
 double Wood::distanceAt(const Vec3d& p) const { return std::sqrt(p.x() * p.x() + p.z() * p.z()); }
+
+double GrainedWood::weightOfSecond(const Vec3d& p) const {
+  const double rings = std::sqrt(p.x() * p.x() + p.z() * p.z()) + 0.05 * p.y();
+  const double noise = math::fractalNoise({p.x(), 0.2 * p.y(), p.z()}, octaves_);
+  const double wave = 0.5 + math::sin(frequency_ * rings + amplitude_ * noise);
+  const double first = wave > 0 ? std::min(wave, 1.0) : 0;
+  return 1 - first * first;
+}

@@ -27,7 +27,7 @@ struct TwoBalls {
     }
     for (int i = 0; i < 3; ++i) palette.push_back(owner.material(i));
   }
-  GridView view() const { return GridView(group, {4, 4, 4}, palette); }
+  GridView view() const { return GridView(countReached(group, {4, 4, 4}), palette); }
 };
 
 void checkHit(const GridView& view, const Ray& ray, double tmin, double t, const Vec3d& normal) {
@@ -87,7 +87,6 @@ TEST("only what is nearer than the hit so far is found") {
 TEST("a cell counts the objects that have a part in it, and its colour follows") {
   Owner owner;
   Group group;
-  std::vector<const Material*> palette = {owner.material(0), owner.material(1)};
   group.addObject(&owner.make<Plane>(Vec3d(0, 1, 0), -1.0, owner.material(0)));  // has no place
   Random random(5);
   std::vector<Sphere> spheres;
@@ -96,8 +95,8 @@ TEST("a cell counts the objects that have a part in it, and its colour follows")
     spheres.emplace_back(center, random.uniform(0.05, 1), owner.material(0));
   }
   for (const Sphere& sphere : spheres) group.addObject(&sphere);
-  const GridView view(group, {7, 9, 5}, palette);
-  const GridFrame& frame = *view.frame();
+  const CellCounts cells = countReached(group, {7, 9, 5});
+  const GridFrame& frame = *cells.frame;
   int most = 0, free = 0;
   GridSize at;
   for (at[0] = 0; at[0] < 7; ++at[0]) {
@@ -117,7 +116,7 @@ TEST("a cell counts the objects that have a part in it, and its colour follows")
           const bool inside = squared < sphere.getRadius() * sphere.getRadius();
           expected += inside;
         }
-        CHECK_EQUAL(int(view.objectsIn(at)), expected);
+        CHECK_EQUAL(int(cells.at(at)), expected);
         most = std::max(most, expected);
         free += expected == 0;
       }
@@ -135,12 +134,12 @@ TEST("a face counts in the cells that it has a part in, and a squashed ball with
   square.addObject(&owner.make<Triangle>(a, b, c, owner.material(0)));
   square.addObject(&owner.make<Triangle>(a, c, d, owner.material(0)));
   square.addObject(&owner.make<Sphere>(Vec3d(0, 0, -1.5), 0.5, owner.material(0)));
-  const GridView view(square, {4, 4, 2}, {owner.material(0)});
+  const CellCounts cells = countReached(square, {4, 4, 2});
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      CHECK_EQUAL(view.objectsIn({i, j, 1}), i == j ? 2u : 1u);
+      CHECK_EQUAL(cells.at({i, j, 1}), i == j ? 2u : 1u);
       const bool isMiddle = (i == 1 || i == 2) && (j == 1 || j == 2);
-      CHECK_EQUAL(view.objectsIn({i, j, 0}), isMiddle ? 1u : 0u);
+      CHECK_EQUAL(cells.at({i, j, 0}), isMiddle ? 1u : 0u);
     }
   }
   // The corners of a round ball's box are free, those of an egg's are not.
@@ -149,9 +148,9 @@ TEST("a face counts in the cells that it has a part in, and a squashed ball with
     Group moved;
     moved.addObject(&owner.make<Transform>(
         Matrix::translation({3, 4, 5}) * Matrix::scale({-1, 1, height}), &ball));
-    const GridView cells(moved, {8, 8, 8}, {owner.material(0)});
-    CHECK_EQUAL(cells.objectsIn({0, 0, 7}), height == 1 ? 0u : 1u);
-    CHECK_EQUAL(cells.objectsIn({3, 3, 7}), 1u);
+    const CellCounts inMoved = countReached(moved, {8, 8, 8});
+    CHECK_EQUAL(inMoved.at({0, 0, 7}), height == 1 ? 0u : 1u);
+    CHECK_EQUAL(inMoved.at({3, 3, 7}), 1u);
   }
 }
 
@@ -159,8 +158,8 @@ TEST("where tests of cells would take too long, boxes count") {
   Owner owner;
   Group group;
   group.addObject(&owner.make<Sphere>(Vec3d(), 1.0, owner.material(0)));
-  CHECK_EQUAL(GridView(group, {8, 8, 8}, {owner.material(0)}, 512).objectsIn({0, 0, 0}), 0u);
-  CHECK_EQUAL(GridView(group, {8, 8, 8}, {owner.material(0)}, 511).objectsIn({0, 0, 0}), 1u);
+  CHECK_EQUAL(countReached(group, {8, 8, 8}, 512).at({0, 0, 0}), 0u);
+  CHECK_EQUAL(countReached(group, {8, 8, 8}, 511).at({0, 0, 0}), 1u);
 }
 
 TEST("cells of many objects share the last colour") {
@@ -173,7 +172,8 @@ TEST("cells of many objects share the last colour") {
     std::vector<const Material*> palette;
     for (int i = 0; i < colors; ++i) palette.push_back(owner.material(i));
     Hit hit;
-    CHECK(GridView(group, {1, 1, 1}, palette).intersect(Ray({0, 0, 5}, {0, 0, -1}), hit, 0));
+    const GridView view(countReached(group, {1, 1, 1}), palette);
+    CHECK(view.intersect(Ray({0, 0, 5}, {0, 0, -1}), hit, 0));
     CHECK(hit.getMaterial() == palette.back());
   }
 }
@@ -182,8 +182,64 @@ TEST("nothing is seen of a scene without bounded objects") {
   Owner owner;
   Group group;
   group.addObject(&owner.make<Plane>(Vec3d(0, 1, 0), -1.0, owner.material(0)));
-  const GridView view(group, {3, 3, 3}, {owner.material(0)});
+  const GridView view(countReached(group, {3, 3, 3}), {owner.material(0)});
   Hit hit;
-  CHECK(!view.frame().has_value());
+  CHECK(!view.cells().frame.has_value());
+  CHECK(!countTouched(group, {3, 3, 3}).frame.has_value());
   CHECK(!view.intersect(Ray({0, 5, 0}, {0, -1, 0}), hit, 0));
+}
+
+TEST("a plain sphere touches the cells whose centres are within its radius and half a diagonal") {
+  // Cells of side 1 from -4 to 4: half a diagonal is 0.866. The sphere of radius 1 in a corner of
+  // cells reaches centres up to 1.866 away: (0.5, 0.5, 0.5) is 0.866 away, (1.5, 0.5, 0.5) 1.658,
+  // (1.5, 1.5, 0.5) 2.179. So 8 cells around it and 24 beside these.
+  Owner owner;
+  Group group;
+  group.addObject(&owner.make<Sphere>(Vec3d(0, 0, 0), 1.0, owner.material(0)));
+  for (const double at : {-3.5, 3.5}) {  // they make the box of the grid
+    group.addObject(&owner.make<Sphere>(Vec3d(at, at, at), 0.5, owner.material(0)));
+  }
+  const CellCounts cells = countTouched(group, {8, 8, 8});
+  int count = 0;
+  for (int x = 2; x < 6; ++x) {
+    for (int y = 2; y < 6; ++y) {
+      for (int z = 2; z < 6; ++z) count += int(cells.at({x, y, z}));
+    }
+  }
+  CHECK_EQUAL(count, 32);
+  CHECK_EQUAL(cells.at({2, 3, 4}), 1u);
+  CHECK_EQUAL(cells.at({2, 2, 4}), 0u);
+}
+
+TEST("a sphere under a Transform and a turned triangle touch all cells that their boxes touch") {
+  Owner owner;
+  const auto& ball = owner.make<Sphere>(Vec3d(), 1.0, owner.material(0));
+  // Turned by 45 degrees about z, the cube around the ball has corners at sqrt(2) along x and y.
+  const Matrix turn = Matrix::rotation({0, 0, 1}, 45);
+  Group turned;
+  turned.addObject(&owner.make<Transform>(turn, &ball));
+  const CellCounts cells = countTouched(turned, {4, 4, 2});
+  CHECK_NEAR(cells.frame->plane(0, 0), -std::sqrt(2.0), 1e-12);
+  CHECK_NEAR(cells.frame->plane(1, 4), std::sqrt(2.0), 1e-12);
+  CHECK_NEAR(cells.frame->plane(2, 2), 1, 1e-12);
+  CHECK_EQUAL(cells.at({0, 0, 0}), 1u);  // a corner, where nothing of the ball is
+  // The triangle (0, 0), (2, 0), (0, 2), turned: (0, 0), (1.41, 1.41), (-1.41, 1.41). In a grid of
+  // cells of side 1 from -4 to 4 its box touches the columns 2 to 5 of x, and of y 4 and 5; y = 0
+  // and z = 0 are sides of cells: row 3 and the layers 3 and 4 are touched too.
+  const auto& triangle =
+      owner.make<Triangle>(Vec3d(0, 0, 0), Vec3d(2, 0, 0), Vec3d(0, 2, 0), owner.material(0));
+  Group far;
+  far.addObject(&owner.make<Transform>(turn, &triangle));
+  for (const double at : {-3.5, 3.5}) {  // they make the box of the grid
+    far.addObject(&owner.make<Sphere>(Vec3d(at, at, at), 0.5, owner.material(0)));
+  }
+  const CellCounts around = countTouched(far, {8, 8, 8});
+  for (int x = 2; x < 6; ++x) {
+    for (int y = 2; y < 6; ++y) {
+      for (int z = 2; z < 6; ++z) {
+        const bool isTouched = y >= 3 && (z == 3 || z == 4);
+        CHECK_EQUAL(around.at({x, y, z}), isTouched ? 1u : 0u);
+      }
+    }
+  }
 }

@@ -62,7 +62,7 @@ TEST("topics have one small word each as name, all different, and a short summar
     CHECK(topicOf(name) == &topic);
   }
   for (const std::string wrong : {"", "scenes"}) {
-    CHECK(contains(check::mistake({"-help", wrong}), "-help: expected scene, materials, "));
+    CHECK(contains(check::mistake({"-help", wrong}), "-help: expected scene, course, materials, "));
   }
 }
 
@@ -118,8 +118,8 @@ TEST("an unknown topic is wrong usage that lists the topics and names the neares
   CHECK_EQUAL(near.status, 2);
   CHECK_EQUAL(near.output, "");
   CHECK_EQUAL(near.errors,
-              "raytracer: -help: expected scene, materials, samples, output, inside, grid, parts, "
-              "checkpoint, compare or limits, found 'scenes'; did you mean 'scene'?\n");
+              "raytracer: -help: expected scene, course, materials, samples, output, inside, grid, "
+              "parts, checkpoint, compare or limits, found 'scenes'; did you mean 'scene'?\n");
   const check::ProgramRun far = desk.run("-help zebra");
   CHECK_EQUAL(far.status, 2);
   CHECK(contains(far.errors, "compare or limits, found 'zebra'\n"));

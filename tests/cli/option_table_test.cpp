@@ -11,6 +11,8 @@ namespace {
 /// The words that must be given beside an argument.
 Words companionsOf(const ArgumentRow& row) {
   const bool drawsGrid = row.name.rfind("visualize_grid", 0) == 0;
+  const bool isIdle = row.name == "gui" || row.name == "gouraud" || row.name == "tessellation";
+  if (isIdle) return {"-course", "2004"};
   if (row.name == "pixel_obj") return {"-pixel", "1", "1"};
   return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
 }
@@ -23,7 +25,8 @@ Words sampleWords(const ArgumentRow& row) {
     if (word == "[TOPIC]") word = "scene";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    const std::string numbers = " MB MIN N I W H E NX NY NZ P R SIGMA TOLERANCE ZOOM ";
+    if (word == "2003|2004") word = "2004";
+    const std::string numbers = " MB MIN N I W H E NX NY NZ P R SIGMA TOLERANCE ZOOM A B ";
     if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "X" || word == "Y") word = "0";
     if (word == "NX" || word == "NY" || word == "NZ") word = "3";

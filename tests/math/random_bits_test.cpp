@@ -25,3 +25,25 @@ TEST("one bit of the argument changes about half of the bits") {
   }
   CHECK_NEAR(flipped, 2048, 160);
 }
+
+TEST("the sequence of drand48 begun at 0 has the numbers that counting gives") {
+  // Worked out with whole numbers: 11, then 11 (0x5DEECE66D + 1), then on by the rule itself.
+  CHECK_EQUAL(math::sequenceNumber(0), 11 * 0x1p-48);
+  CHECK_EQUAL(math::sequenceNumber(1), 277363943098.0 * 0x1p-48);
+  std::uint64_t x = 0;
+  for (std::uint64_t index = 0; index < 1000; ++index) {
+    x = (0x5DEECE66Du * x + 0xB) % (std::uint64_t{1} << 48);
+    CHECK_EQUAL(math::sequenceNumber(index), double(x) * 0x1p-48);
+  }
+}
+
+TEST("a jump in the sequence of drand48 is as far as two jumps") {
+  // From number n the sequence goes on by the rule, wherever n lies; it comes back after 2^48.
+  for (const std::uint64_t n : {std::uint64_t{1} << 20, (std::uint64_t{1} << 46) + 12345,
+                                (std::uint64_t{1} << 48) - 1, (std::uint64_t{1} << 48) + 7}) {
+    const auto x = std::uint64_t(math::sequenceNumber(n) * 0x1p48);
+    const std::uint64_t next = (0x5DEECE66Du * x + 0xB) % (std::uint64_t{1} << 48);
+    CHECK_EQUAL(math::sequenceNumber(n + 1), double(next) * 0x1p-48);
+  }
+  CHECK_EQUAL(math::sequenceNumber((std::uint64_t{1} << 48) + 7), math::sequenceNumber(7));
+}

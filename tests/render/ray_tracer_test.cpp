@@ -297,6 +297,28 @@ TEST("shading the back lights a surface from the viewer's side, in the sum over 
   CHECK_NEAR_VECTOR(colorTowards(scene, below, kGround, back), Vec3d(0.125, 0.125, 0.125), 1e-7);
 }
 
+TEST("a dark back sends back no light and no ambient light, but mirrors and lets through") {
+  // Seen from below the ground's front is lit: 1 0.5 0.25 times 0.5, and 0.1 times it.
+  const std::string scene =
+      "Lights { numLights 1 DirectionalLight { direction 0 -1 0 color 1 0.5 0.25 } }"
+      "Background { color 0.2 0.4 0.6 ambientLight 0.1 0.1 0.1 }"
+      "Materials { numMaterials 1 PhongMaterial { diffuseColor 0.5 0.5 0.5"
+      "  reflectiveColor 0.5 0 0 transparentColor 0 0 0.5 } }"
+      "Group { numObjects 1 MaterialIndex 0 Plane { normal 0 1 0 offset 0 } }";
+  const SceneParser ground = parse(scene);
+  const Vec3f continued(0.1f, 0, 0.3f), local(0.55f, 0.3f, 0.175f);
+  RenderOptions options = bouncing(1);
+  const Vec3d below(0, -5, 0);
+  CHECK_NEAR_VECTOR(colorTowards(ground, below, kGround, options), continued + local, 1e-6);
+  options.darkBacks = true;
+  CHECK_NEAR_VECTOR(colorTowards(ground, below, kGround, options), continued, 1e-6);
+  CHECK_NEAR_VECTOR(colorTowards(ground, kAbove, kGround, options), continued + local, 1e-6);
+  // With shadeBack the side that is seen is lit, here by nothing but ambient light.
+  options.shadeBack = true;
+  CHECK_NEAR_VECTOR(colorTowards(ground, below, kGround, options),
+                    continued + Vec3f(0.05f, 0.05f, 0.05f), 1e-6);
+}
+
 TEST("traceRay hands back what it hit, and respects tmin") {
   SceneParser scene = parse(groundUnderSun("", "MaterialIndex 1 Sphere { center 0 3 0 radius 1 }"));
   const RayTracer tracer(&scene, 5, 0.01f);

@@ -2,9 +2,11 @@
 #include "render/sampler.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "check.h"
+#include "math/functions.h"
 #include "sampling.h"
 
 using sampling::Pattern;
@@ -135,4 +137,57 @@ TEST("refined numbers are rounded up to a square and to this times a power of 4"
   CHECK_EQUAL(samplerOf(Pattern::adaptive, 5, 10).getNumSamples(), 36);
   CHECK_EQUAL(samplerOf(Pattern::adaptive, 4, 64).getNumSamples(), 64);
   CHECK_EQUAL(samplerOf(Pattern::adaptive, 4, 65).getNumSamples(), 256);
+}
+
+TEST("numbers of a sequence are drawn column by column, row by row, sample by sample") {
+  SamplingOptions options;
+  options.numbers = SamplingOptions::Numbers::sequence;
+  options.samples = 4;
+  constexpr int kHeight = 5;
+  for (const Pattern pattern : {Pattern::random, Pattern::jittered}) {
+    options.pattern = pattern;
+    const Sampler sampler(options, kHeight);
+    std::uint64_t draw = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < kHeight; ++j) {
+        for (int n = 0; n < 4; ++n) {
+          const double first = math::sequenceNumber(draw++), second = math::sequenceNumber(draw++);
+          const Vec2d p = sampler.getSamplePosition(i, j, n);
+          // A random sample draws its y first, a jittered one its x.
+          const bool isRandom = pattern == Pattern::random;
+          CHECK_EQUAL(p.x(), isRandom ? second : (n % 2 + first) / 2);
+          CHECK_EQUAL(p.y(), isRandom ? first : (n / 2 + second) / 2);
+        }
+      }
+    }
+  }
+}
+
+TEST("adaptive samples keep the hashed numbers") {
+  SamplingOptions options;
+  options.pattern = Pattern::adaptive;
+  options.samples = 4;
+  options.maxSamples = 16;
+  const Sampler hashed(options, 5);
+  options.numbers = SamplingOptions::Numbers::sequence;
+  const Sampler other(options, 5);
+  for (int n = 0; n < 16; ++n) {
+    CHECK_EQUAL(hashed.getSamplePosition(2, 3, n).x(), other.getSamplePosition(2, 3, n).x());
+  }
+}
+
+TEST("an exact grid lies the same to the left and to the right of the centre") {
+  SamplingOptions options;
+  options.pattern = Pattern::uniform;
+  options.isGridExact = true;
+  for (const int side : {1, 3, 6, 7}) {
+    options.samples = side * side;
+    const Sampler sampler(options);
+    for (int n = 0; n < side; ++n) {
+      const double x = sampler.getSamplePosition(0, 0, n).x();
+      CHECK_NEAR(x, (n + 0.5) / side, 0x1p-30);
+      CHECK_EQUAL(x + sampler.getSamplePosition(0, 0, side - 1 - n).x(), 1.0);
+      CHECK_EQUAL(x * 0x1p30, std::floor(x * 0x1p30));
+    }
+  }
 }

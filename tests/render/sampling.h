@@ -118,7 +118,7 @@ class PlainSampling {
         options_(options),
         tracer_(scene, *scene.getGroup(), options),
         sampler_(options.sampling),
-        filter_(options.sampling.filter, options.sampling.filterSize),
+        filter_(options.sampling),
         width_(width),
         height_(height) {}
 

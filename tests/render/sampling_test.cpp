@@ -185,3 +185,19 @@ TEST("pixels come in the same order in every area that holds them, each once") {
       CHECK(places[large.index(some[k - 1])] < places[large.index(some[k])]);
   }
 }
+
+TEST("without samples beyond the border the weights that remain count alone") {
+  // Two pixels, [-1, 0] and [0, 1]; white is what lies left of -1, so only beyond the picture.
+  const SceneParser scene = whiteShapes(2, 1, leftOf(-1));
+  RenderOptions options = sampled(Pattern::uniform, 4, FilterKind::box, 1);
+  const Image bright = renderColor(scene, 2, 1, options);
+  CHECK(bright.getPixel(0, 0).r > 0);
+  options.sampling.hasBorderSamples = false;
+  const Image dark = renderColor(scene, 2, 1, options);
+  CHECK_EQUAL(dark.getPixel(0, 0), grey(0));
+  // White to the left of 0: of the box of 2 x 2 pixels around the left one 2 of 3 columns of
+  // samples within the picture are white; around the right one 1 of 3.
+  const Image half = renderColor(whiteShapes(2, 1, leftOf(0)), 2, 1, options);
+  CHECK_EQUAL(half.getPixel(0, 0), grey(2 / 3.0));
+  CHECK_EQUAL(half.getPixel(1, 0), grey(1 / 3.0));
+}

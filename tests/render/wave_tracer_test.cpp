@@ -11,7 +11,7 @@
 namespace {
 
 /// Mirrors, glass that overlaps, lamps of both kinds, a moved ball inside glass.
-SceneParser hallOfMirrors() {
+SceneParser hallOfMirrors(const SceneRules& rules = {}) {
   return scene_text::parse(R"(
     Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
     Lights { numLights 2
@@ -31,12 +31,13 @@ SceneParser hallOfMirrors() {
       MaterialIndex 2 Transform { Translate 0.3 0 0 Scale 1 0.5 1 Sphere { center 0 0 0 radius 0.3 } }
       Sphere { center 1.5 -0.4 1 radius 0.5 }
       MaterialIndex 3 Sphere { center 0.6 0.3 0 radius 0.7 }
-      Transform { Translate -0.8 0.4 0 Scale 1 0.7 1.2 Sphere { center 0 0 0 radius 0.6 } } })");
+      Transform { Translate -0.8 0.4 0 Scale 1 0.7 1.2 Sphere { center 0 0 0 radius 0.6 } } })",
+                           rules);
 }
 
 /// The same with solid textures: one of plain materials, one of up to four of them, and glass whose
 /// cells differ.
-SceneParser hallOfTextures() {
+SceneParser hallOfTextures(const SceneRules& rules = {}) {
   return scene_text::parse(R"(
     Background { color 0.2 0.3 0.4 ambientLight 0.1 0.1 0.1 }
     Lights { numLights 2
@@ -60,7 +61,8 @@ SceneParser hallOfTextures() {
       MaterialIndex 7 Triangle { vertex0 -2 -1 1 vertex1 -1 -1 1 vertex2 -1.5 1 0.5 }
       MaterialIndex 2 Transform { Translate 0.3 0 0 Scale 1 0.5 1 Sphere { center 0 0 0 radius 0.3 } }
       MaterialIndex 6 Sphere { center 1.5 -0.4 1 radius 0.5 }
-      MaterialIndex 0 Sphere { center -1.5 1.5 0 radius 0.5 } })");
+      MaterialIndex 0 Sphere { center -1.5 1.5 0 radius 0.5 } })",
+                           rules);
 }
 
 Ray eyeRay(int i, int size) {
@@ -123,6 +125,22 @@ TEST("a batch obeys every option that changes a colour") {
     options.fresnel = (choice & 32) != 0;
     if (choice % 3 == 0) options.epsilon.kind = Epsilon::Kind::adaptive;
     compare(scene, compiled, options, 256, 0);
+  }
+}
+
+TEST("a batch obeys the rules of courses that leave backs dark and dim highlights") {
+  SceneRules rules;
+  rules.isHighlightHalfway = rules.areHighlightsDimmed = rules.isWoodGrained = true;
+  rules.noiseSlope = rules.marbleHeight = -1;
+  for (const bool areTextured : {false, true}) {
+    const SceneParser scene = areTextured ? hallOfTextures(rules) : hallOfMirrors(rules);
+    const CompiledScene compiled(*scene.getGroup(), 1);
+    for (const bool shadeBack : {false, true}) {
+      RenderOptions options = scene_text::bouncing(5);
+      options.darkBacks = true;
+      options.shadeBack = shadeBack;
+      compare(scene, compiled, options, 256, 0);
+    }
   }
 }
 

@@ -123,3 +123,18 @@ TEST("light that only grazes the surface gives no highlight") {
   const Ray ray({0, 0, 0}, {0.6, -0.8, 0});
   CHECK_EQUAL(material.Shade(ray, Hit(1, &material, {0, 1, 0}), {1, 0, 0}, {1, 1, 1}), Vec3f());
 }
+
+TEST("a dimmed highlight is multiplied by the cosine of the light as diffuse light is") {
+  // Light at 53.13 degrees: n.l = 0.6. Seen straight from above r.l = 0.6 too, and h lies halfway:
+  // (n.h)^2 = (1 + 0.6) / 2 = 0.8.
+  PhongMaterial mirrored = phong(kDiffuse, kSpecular, 2);
+  mirrored.dimHighlight();
+  CHECK_NEAR_VECTOR(shadeFromAbove(mirrored, {0.8f, 0.6f, 0}),
+                    kDiffuse * 0.6f + kSpecular * (0.36f * 0.6f), 1e-6);
+  BlinnPhongMaterial halfway(kDiffuse, kSpecular, 2, Vec3f(), Vec3f(), 1);
+  CHECK_NEAR_VECTOR(shadeFromAbove(halfway, {0.8f, 0.6f, 0}), kDiffuse * 0.6f + kSpecular * 0.8f,
+                    1e-6);
+  halfway.dimHighlight();
+  CHECK_NEAR_VECTOR(shadeFromAbove(halfway, {0.8f, 0.6f, 0}),
+                    kDiffuse * 0.6f + kSpecular * (0.8f * 0.6f), 1e-6);
+}

@@ -2,6 +2,8 @@
 // textures against the definition that splits each of them in two.
 #include "shading/solid_texture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -300,4 +302,49 @@ TEST("a texture sends back the mean of its parts' light, and has the largest of 
   Hit hit;
   hit.record(5, &noise, {0, 1, 0}, ray.pointAtParameter(5), {});
   CHECK_NEAR_VECTOR(noise.Shade(ray, hit, {0, 1, 0}, {1, 1, 1}), Vec3d(0.75, 0, 0.625), 1e-7);
+}
+
+TEST("the slope of a noise says how fast its materials change, and into which") {
+  const Pair pair;
+  Random random(11);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3d p = random.inCube(-9, 9);
+    const double n = math::fractalNoise(p, 3);
+    const double second = weightOf(pair.white, Noise(Matrix(), pair.first, pair.second, 3, -1), p);
+    CHECK_NEAR(1 - second, std::clamp(n + 0.5, 0.0, 1.0), 1e-15);
+  }
+}
+
+TEST("waves of height -1 exchange a marble's materials") {
+  const Pair pair;
+  const Marble marble(Matrix(), pair.first, pair.second, 1, math::kPi / 2, 0, -1);
+  // At x = 1 the sine is 1, so that all is of the first material; at x = 3 all of the second.
+  CHECK_NEAR(weightOf(pair.black, marble, {1, 0.3, 0.2}), 1, 1e-15);
+  CHECK_NEAR(weightOf(pair.white, marble, {3, 0.3, 0.2}), 1, 1e-15);
+  CHECK_NEAR(weightOf(pair.black, marble, {1 / 3.0, 5, 6}), 0.75, 1e-14);  // sin 30 degrees
+}
+
+TEST("grained wood is the square of a shifted sine of rings that lean") {
+  const Pair pair;
+  // Without noise: r = 5 from (3, y, 4), and y = 20 adds 1. sin(pi r / 2) = 1, 0, -1, 0 for r = 5
+  // to 8: s = 1, 1/2, 0, 1/2.
+  const GrainedWood rings(Matrix(), pair.first, pair.second, 2, math::kPi / 2, 0);
+  const double expected[] = {1, 0.25, 0, 0.25};
+  for (int k = 0; k < 4; ++k) {
+    CHECK_NEAR(weightOf(pair.black, rings, {3, 20.0 * k, 4}), expected[k], 1e-14);
+  }
+  CHECK_NEAR(weightOf(pair.black, rings, {0, 1 / 0.15, 0}), 1, 1e-14);  // sin 30 degrees: s = 1
+  // The noise is that of a place five times nearer along y.
+  const GrainedWood grain(Matrix(), pair.first, pair.second, 3, 0, 1);
+  const Vec3d p(0.3, 2.5, -1.7);
+  const double s = 0.5 + std::sin(math::fractalNoise({0.3, 0.5, -1.7}, 3));
+  CHECK_NEAR(weightOf(pair.black, grain, p), std::clamp(s, 0.0, 1.0) * std::clamp(s, 0.0, 1.0),
+             1e-14);
+}
+
+TEST("without octaves there is no noise") {
+  const Pair pair;
+  CHECK_EQUAL(math::fractalNoise({0.3, 0.4, 0.5}, 0), 0.0);
+  CHECK_EQUAL(weightOf(pair.white, Noise(Matrix(), pair.first, pair.second, 0), {0.3, 0.4, 0.5}),
+              0.5);
 }

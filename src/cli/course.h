@@ -1,0 +1,40 @@
+// Course: the rules of one year of the course. A course is a row of a table: the parser, the
+// renderer and the picture of a grid's cells are made from it, and none of them knows its name.
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "math/vec3.h"
+#include "render/render_options.h"
+#include "scene/scene_rules.h"
+
+/// How a cell of a grid is painted that holds at most so many objects; the last one holds for all
+/// that have more.
+struct CellPaint {
+  std::size_t most;
+  Vec3f color;
+};
+
+/// How the cells of a grid are drawn.
+struct CellRules {
+  bool areTouched = false;    ///< cells hold what countTouched says, else what countReached does
+  bool alwaysCounts = false;  ///< -visualize_grid means -visualize_grid_count
+  bool haveShadows = true;    ///< where shadows are cast at all
+  std::vector<CellPaint> paints;
+};
+
+struct Course {
+  std::string_view name;
+  /// What holds where no argument says otherwise, and the rules that no argument speaks of.
+  RenderOptions render;
+  SceneRules scene;
+  CellRules cells;
+  /// Whether -gui, -gouraud and -tessellation, which its pages' commands have, are taken.
+  bool hasWindows = false;
+};
+
+/// The names of all courses; the first is the one that holds where none is chosen.
+inline constexpr std::string_view kCourseNames[] = {"2003", "2004"};
+
+/// The course at that place among the names.
+const Course& courseAt(std::size_t place);
