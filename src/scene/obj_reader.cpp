@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 
+#include "geometry/polygon.h"
 #include "scene/wording.h"
 #include "system/memory.h"
 #include "system/worker_threads.h"
@@ -76,11 +77,66 @@ std::vector<T> joined(std::vector<ObjChunk>& chunks, std::vector<T> ObjChunk::*e
   return all;
 }
 
-bool join(std::vector<ObjChunk>& chunks, MeshGeometry& mesh) {
-  std::size_t vertexCount = 0, faceCount = 0;
+/// Cuts a polygon that stands in `faces` as a fan: where it is concave, its triangles become
+/// others.
+OutlineShape cutPolygon(const std::vector<Vec3f>& vertices, const ObjPolygon& polygon,
+                        MeshGeometry::Face* faces) {
+  std::vector<std::uint32_t> corners = {faces[0][0], faces[0][1]};
+  for (std::uint32_t k = 0; k < polygon.triangles; ++k) corners.push_back(faces[k][2]);
+  std::vector<Vec3f> outline;
+  for (const std::uint32_t corner : corners) outline.push_back(vertices[corner]);
+  std::vector<OutlineTriangle> triangles;
+  const OutlineShape shape = cutOutline(outline, triangles);
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      faces[k][corner] = corners[triangles[k][corner]];
+    }
+  }
+  return shape;
+}
+
+/// Cuts all polygons of chunks, whose triangles stand in `faces`, one chunk's behind the other's.
+/// Where polygons of many corners would take too long together, the later ones stay fans. Returns
+/// for each chunk those of its polygons that stay fans though they are not convex.
+std::vector<std::vector<ObjPolygon>> cutPolygons(const std::vector<Vec3f>& vertices,
+                                                 const std::vector<ObjChunk>& chunks, int threads,
+                                                 std::vector<MeshGeometry::Face>& faces) {
+  constexpr double kMostSteps = 0x1p29;  // as cutOutline takes for one of 23,000 corners
+  struct Start {
+    std::size_t face;
+    double steps;
+  };
+  const auto stepsOf = [](const ObjPolygon& polygon) {
+    return double(polygon.triangles) * polygon.triangles;
+  };
+  std::vector<Start> starts;  // of each chunk, so that no answer depends on the threads
+  Start next = {0, 0};
   for (const ObjChunk& chunk : chunks) {
+    starts.push_back(next);
+    next.face += chunk.faceCount;
+    for (const ObjPolygon& polygon : chunk.polygons) next.steps += stepsOf(polygon);
+  }
+  std::vector<std::vector<ObjPolygon>> fans(chunks.size());
+  shareOnThreads(threads, 0, chunks.size(), [&](std::size_t number) {
+    Start at = starts[number];
+    for (const ObjPolygon& polygon : chunks[number].polygons) {
+      at.steps += stepsOf(polygon);
+      const bool isTooLong = polygon.triangles > 64 && at.steps > kMostSteps;
+      if (isTooLong || cutPolygon(vertices, polygon, &faces[at.face + polygon.first]) ==
+                           OutlineShape::crossing) {
+        fans[number].push_back(polygon);
+      }
+    }
+  });
+  return fans;
+}
+
+bool join(std::vector<ObjChunk>& chunks, int threads, MeshGeometry& mesh) {
+  std::size_t vertexCount = 0, faceCount = 0;
+  for (ObjChunk& chunk : chunks) {
+    if (!chunk.slivers.empty()) return false;
     vertexCount += chunk.vertices.size();
-    faceCount += chunk.faces.size();
+    faceCount += chunk.faceCount = chunk.faces.size();
   }
   if (std::max(vertexCount, faceCount) > kMostObjElements) return false;
   if (!resolveIndices(chunks, vertexCount)) return false;
@@ -90,6 +146,9 @@ bool join(std::vector<ObjChunk>& chunks, MeshGeometry& mesh) {
     if (kind == 0) vertices = joined(chunks, &ObjChunk::vertices, vertexCount);
     if (kind == 1) faces = joined(chunks, &ObjChunk::faces, faceCount);
   });
+  for (const auto& fans : cutPolygons(vertices, chunks, threads, faces)) {
+    if (!fans.empty()) return false;
+  }
   mesh = MeshGeometry(std::move(vertices), std::move(faces));
   return true;
 }
@@ -116,21 +175,42 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
   if (!file.isOpen() || file.regularSize() < 0) return false;
   try {
     std::vector<ObjChunk> chunks = readChunks(file, how);
-    return join(chunks, mesh);
+    return join(chunks, how.threads, mesh);
   } catch (const IsUnclear&) {
     return false;
   }
 }
 
-MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place) {
+MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
+                     std::vector<std::string>& warnings) {
   const std::size_t mistakesBefore = log.count();
   const std::string_view statements = withoutByteOrderMark(text.bytes());
   const ObjReport report = [&](const char* at, const std::string& message) {
     log.add(place, InputError(text.name(), text.lineAt(at), message));
   };
-  ObjChunk all;
+  std::vector<ObjChunk> chunks(1);
+  ObjChunk& all = chunks[0];
   readObjChunk(statements, {countObjVertices(statements), 0}, report, all);
   if (log.count() > mistakesBefore) return {};
+  const auto inLine = [&](std::size_t at) {
+    return "line " + std::to_string(text.lineAt(statements.data() + at));
+  };
+  if (const std::size_t count = all.slivers.size()) {
+    warnings.push_back("has " + std::to_string(count) +
+                       (count == 1 ? " face of less than three corners, which is left out, in "
+                                   : " faces of less than three corners, which are left out, the "
+                                     "first in ") +
+                       inLine(all.slivers[0]));
+  }
+  all.faceCount = all.faces.size();
+  const std::vector<ObjPolygon> fans = cutPolygons(all.vertices, chunks, 1, all.faces)[0];
+  if (const std::size_t count = fans.size()) {
+    warnings.push_back("has " + std::to_string(count) +
+                       (count == 1
+                            ? " face that crosses itself or is too long, in "
+                            : " faces that cross themselves or are too long, the first in ") +
+                       inLine(fans[0].at));
+  }
   all.vertices.shrink_to_fit();
   all.faces.shrink_to_fit();
   return MeshGeometry(std::move(all.vertices), std::move(all.faces));
@@ -205,17 +285,30 @@ std::string MeshLibrary::locate(std::string_view name, bool& isNew) {
 bool MeshLibrary::read(const std::string& path, const std::string& key, std::string_view name,
                        std::string& reason) {
   const std::size_t mistakesBefore = log_.count();
+  warnings_.clear();
   MeshGeometry mesh;
-  if (!readObjFile(path, {hardwareThreads()}, mesh)) {
+  // Without faces it may be no OBJ file at all.
+  if (!readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
     std::string bytes;
     if (!readWholeFile(path, bytes, reason)) return false;
-    mesh = readObj(SourceText(path, std::move(bytes)), log_, placeOf(name));
+    mesh = readText(path, std::move(bytes), placeOf(name));
   }
   const MeshGeometry*& kept = byPath_[key];
   if (log_.count() > mistakesBefore) return true;
   meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
   kept = meshes_.back().get();
   return true;
+}
+
+/// Lines may end in CR alone. What is no OBJ file at all is a mistake.
+MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, std::size_t place) {
+  const std::string kind = otherKindOf(bytes);
+  if (!kind.empty()) {
+    log_.add(place, InputError(path, 0, "expected an OBJ file, found what looks like " + kind));
+    return {};
+  }
+  if (bytes.find('\n') == bytes.npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+  return readObj(SourceText(path, std::move(bytes)), log_, place, warnings_);
 }
 
 std::vector<std::string> MeshLibrary::candidates(std::string_view name) const {

@@ -31,13 +31,17 @@ struct ObjReading {
 };
 
 /// Reads a regular file by several threads into `mesh`. Returns false, and leaves `mesh` as it
-/// was, for any other kind of file, and where anything is wrong: readObj then says what.
+/// was, for any other kind of file, and where anything is wrong or to be warned of: readObj then
+/// says what.
 bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometry& mesh);
 
-/// The vertices and triangles in `text`; faces of more corners become fans around their first.
-/// Mistakes go to `log` with the OBJ file's name and line, at `place` in the scene file; where
-/// there are any (and the log does not throw) the mesh is empty.
-MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place);
+/// The vertices and triangles in `text`; faces of more corners are cut into triangles: convex ones,
+/// and those that cross themselves, into a fan around their first. Faces of fewer corners are left
+/// out. Mistakes go to `log` with the OBJ file's name and line, at `place` in the scene file; where
+/// there are any (and the log does not throw) the mesh is empty. What is legal, but not as it seems
+/// to be meant, is said in `warnings`, each ending in the line.
+MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
+                     std::vector<std::string>& warnings);
 
 /// Finds the mesh files that a scene names and reads each of them once.
 class MeshLibrary {
@@ -52,6 +56,8 @@ class MeshLibrary {
   /// where there were mistakes, which are reported the first time. `isNew` tells whether the file
   /// was read just now. Not owned by the caller.
   const MeshGeometry* find(std::string_view name, bool& isNew);
+  /// What is to be said of the mesh that find() has read last.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// The file of each name that find() has found, as an absolute path without links, in the
   /// alphabetical order of the names.
@@ -61,6 +67,7 @@ class MeshLibrary {
   std::string locate(std::string_view name, bool& isNew);
   bool read(const std::string& path, const std::string& key, std::string_view name,
             std::string& reason);
+  MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place);
   std::size_t placeOf(std::string_view name) const {
     return std::size_t(name.data() - scene_.bytes().data());
   }
@@ -69,6 +76,7 @@ class MeshLibrary {
   const SourceText& scene_;
   MistakeLog& log_;
   std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
+  std::vector<std::string> warnings_;
   std::map<std::string_view, std::string> byName_;     // the path of each name in the scene
   std::map<std::string, const MeshGeometry*> byPath_;  // with links and dots resolved
 };
@@ -78,11 +86,20 @@ class MeshLibrary {
 /// Vertices and faces are numbered in 32 bits.
 inline constexpr std::size_t kMostObjElements = std::numeric_limits<std::uint32_t>::max();
 
+/// A face of more than three corners: triangles of the chunk in a row.
+struct ObjPolygon {
+  std::size_t at;  ///< the place of its statement, from the chunk's first byte on
+  std::uint32_t first, triangles;
+};
+
 /// What a run of statements says.
 struct ObjChunk {
   std::vector<Vec3f> vertices;
-  std::vector<MeshGeometry::Face> faces;  // faces of more corners are fans around their first
-  std::uint64_t highest = 0;    ///< the largest index that was counted from the file's start
+  std::vector<MeshGeometry::Face> faces;  // polygons are fans around their first corner
+  std::vector<ObjPolygon> polygons;
+  std::size_t faceCount = 0;         ///< kept where the faces have been handed on
+  std::vector<std::size_t> slivers;  ///< the places of faces of one or two corners, left out
+  std::uint64_t highest = 0;         ///< the largest index that was counted from the file's start
   std::uint64_t reachBack = 0;  ///< how many of the vertices before this chunk indices count back
   /// Corners (3 * face + corner) that were counted backwards: their indices count from the chunk's
   /// first vertex, modulo 2^32. Not kept where nothing stands before the chunk.
@@ -92,6 +109,8 @@ struct ObjChunk {
   void clear() {
     vertices.clear();
     faces.clear();
+    polygons.clear();
+    slivers.clear();
     highest = reachBack = 0;
     relativeCorners.clear();
   }

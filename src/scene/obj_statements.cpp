@@ -168,8 +168,10 @@ void ChunkReader::reportVertex(const char* start, const char* at, int found) {
   report_(at, expected + quoted(word));
 }
 
-/// A face of n corners becomes the n - 2 triangles of a fan around its first corner.
+/// A face of n corners becomes the n - 2 triangles of a fan around its first corner. One of less
+/// than three (what others write as points and lines) is none.
 const char* ChunkReader::readFace(const char* start) {
+  const std::size_t facesBefore = chunk_.faces.size();
   Corner first = 0, last = 0, corner = 0;
   std::size_t count = 0;
   const char* p = start + 1;
@@ -186,8 +188,11 @@ const char* ChunkReader::readFace(const char* start) {
     last = corner;
     p = stop;
   }
-  if (count < 3) {
-    report_(start, "expected at least three corners for a face, found " + std::to_string(count));
+  const auto at = std::size_t(start - start_);
+  if (count == 0) report_(start, "expected at least three corners for a face, found 0");
+  if (count < 3) chunk_.slivers.push_back(at);
+  if (count > 3) {
+    chunk_.polygons.push_back({at, std::uint32_t(facesBefore), std::uint32_t(count - 2)});
   }
   return p;
 }

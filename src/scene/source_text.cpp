@@ -89,3 +89,35 @@ std::string_view Tokenizer::next() {
 std::string_view withoutByteOrderMark(std::string_view bytes) {
   return bytes.substr(bytes.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
 }
+
+std::string otherKindOf(std::string_view bytes) {
+  struct Kind {
+    std::string_view start;
+    const char* name;
+  };
+  static constexpr Kind kKinds[] = {
+      {"version https://git-lfs", "a Git LFS pointer: fetch the file itself (git lfs pull)"},
+      {"<", "an HTML page or XML: get the file itself"},
+      {"\x1f\x8b", "a gzip file: unpack it first"},
+      {"PK\x03\x04", "a zip archive: unpack it first"},
+      {"\xff\xfe", "text in UTF-16: save it as UTF-8"},
+      {"\xfe\xff", "text in UTF-16: save it as UTF-8"},
+      {"ply\n", "a PLY file: convert it to OBJ first"},
+      {"ply\r", "a PLY file: convert it to OBJ first"},
+      {"solid ", "an STL file: convert it to OBJ first"},
+      {"glTF", "a glTF file: convert it to OBJ first"},
+      {"Kaydara FBX", "an FBX file: convert it to OBJ first"},
+  };
+  std::string_view text = withoutByteOrderMark(bytes);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  for (const Kind& kind : kKinds) {
+    if (text.substr(0, kind.start.size()) == kind.start) return kind.name;
+  }
+  // UTF-16 without its mark has a NUL in every other byte of what is ASCII.
+  std::size_t nuls[2] = {0, 0};
+  const std::string_view head = bytes.substr(0, 1000);
+  for (std::size_t k = 0; k < head.size(); ++k) nuls[k % 2] += head[k] == '\0';
+  if (nuls[0] + nuls[1] == 0) return "";
+  const bool isWide = nuls[0] * nuls[1] == 0 && 3 * (nuls[0] + nuls[1]) >= head.size();
+  return isWide ? "text in UTF-16: save it as UTF-8" : "a binary file";
+}

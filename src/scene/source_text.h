@@ -56,5 +56,9 @@ class Tokenizer {
   const char* end_;
 };
 
+/// What a file seems to be that is no plain text of ours, with what to do about it, such as "a gzip
+/// file: unpack it first"; "" where it may be one.
+std::string otherKindOf(std::string_view bytes);
+
 /// The bytes without the UTF-8 byte-order mark that may stand at their start.
 std::string_view withoutByteOrderMark(std::string_view bytes);

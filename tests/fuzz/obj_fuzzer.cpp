@@ -45,16 +45,17 @@ void checkMistakes(const MistakeLog& log, const std::string& text) {
   }
 }
 
-/// The mesh as the one-part reader sees it; false where it finds a mistake.
+/// The mesh as the one-part reader sees it; false where it finds a mistake or warns.
 bool readWhole(const std::string& text, MeshGeometry& mesh) {
   MistakeLog log(MistakeLog::Mode::collect);
+  std::vector<std::string> warnings;
   try {
-    mesh = readObj(SourceText("m.obj", text), log, 0);
+    mesh = readObj(SourceText("m.obj", text), log, 0, warnings);
   } catch (const MistakeLog::Full&) {
     // Those found are enough.
   }
   checkMistakes(log, text);
-  return log.count() == 0;
+  return log.count() == 0 && warnings.empty();
 }
 
 }  // namespace

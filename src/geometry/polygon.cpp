@@ -1,0 +1,259 @@
+// Cutting off ears.
+//
+// An ear is a corner at which the outline turns as the whole polygon does, and whose triangle with
+// its two neighbours holds nothing else of the outline. It is cut off, and the outline has a corner
+// less. Every simple polygon has two ears (Meisters, "Polygons Have Ears", 1975).
+//
+//   1. The corners are projected by leaving out the coordinate in which the polygon's normal is
+//      largest: no number is rounded.
+//   2. Where it turns one way only, and once around, the polygon is convex: a fan will do.
+//   3. Where two sides cross, nothing is right.
+//   4. Ears are looked for from corner to corner, beginning at the least one, so that the corner
+//      that comes first does not matter. Only corners with the other turn can lie in an ear.
+//
+// What is not strictly inside an ear may touch it. A corner at the same place as one of the ear's
+// own intrudes where a side goes on from it into the ear, which is how slits look. Where nothing is
+// left but corners on a line, their triangles have no area.
+//
+// The turn of three points is the sign of a sum of six products. A product of two floats is exact
+// in double, and the sum is taken without rounding. Source for the sum: Shewchuk, "Adaptive
+// Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
+#include "geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+struct Point {
+  float x, y;
+
+  bool operator==(const Point& other) const { return x == other.x && y == other.y; }
+};
+
+/// The sign of the exact sum of six finite doubles: they are summed into parts that do not overlap,
+/// of which the last one that is not 0 is larger than all before it together.
+int signOfSum(const std::array<double, 6>& terms) {
+  std::array<double, 6> parts{};
+  for (std::size_t count = 0; count < terms.size(); ++count) {
+    double sum = terms[count];
+    for (std::size_t k = 0; k < count; ++k) {
+      const double a = sum, b = parts[k];
+      sum = a + b;
+      const double rounded = sum - a;
+      parts[k] = (a - (sum - rounded)) + (b - rounded);
+    }
+    parts[count] = sum;
+  }
+  for (std::size_t k = parts.size(); k-- > 0;) {
+    if (parts[k] != 0) return parts[k] > 0 ? 1 : -1;
+  }
+  return 0;
+}
+
+/// 1 where a, b, c turn to the left, -1 where they turn to the right, 0 where they are on a line.
+int turn(const Point& a, const Point& b, const Point& c) {
+  const double ax = a.x, ay = a.y, bx = b.x, by = b.y, cx = c.x, cy = c.y;
+  // In double the sum is off by less than 2^-50 of its parts.
+  const double quick = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  const double size =
+      std::fabs(bx - ax) * std::fabs(cy - ay) + std::fabs(by - ay) * std::fabs(cx - ax);
+  if (std::fabs(quick) > size * 0x1p-48) return quick > 0 ? 1 : -1;
+  return signOfSum({ax * by, -(ax * cy), bx * cy, -(bx * ay), cx * ay, -(cx * by)});
+}
+
+/// The corners without the coordinate in which their normal is largest, as a view from the side
+/// from which they turn to the left. Empty where the polygon has no area.
+/// Source of the normal: Newell, in Sutherland, Sproull and Schumacker, "A Characterization of Ten
+/// Hidden-Surface Algorithms", 1974.
+std::vector<Point> projected(const std::vector<Vec3f>& corners) {
+  Vec3d normal;
+  const Vec3d origin(corners[0]);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec3d a = Vec3d(corners[k]) - origin,
+                b = Vec3d(corners[(k + 1) % corners.size()]) - origin;
+    normal += cross(a, b);
+  }
+  int axis = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (std::fabs(normal[k]) > std::fabs(normal[axis])) axis = k;
+  }
+  std::vector<Point> points;
+  if (normal[axis] == 0) return points;
+  int first = (axis + 1) % 3, second = (axis + 2) % 3;
+  if (normal[axis] < 0) std::swap(first, second);
+  for (const Vec3f& corner : corners) points.push_back({corner[first], corner[second]});
+  return points;
+}
+
+/// The outline without corners that repeat the one before.
+std::vector<Point> withoutRepeats(std::vector<Point> points) {
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+  return points;
+}
+
+/// True where the outline, of corners that differ from the next, turns to the left alone, and goes
+/// around once: its way from left to right changes into one from right to left and back.
+bool isConvex(const std::vector<Point>& points) {
+  const std::size_t count = points.size();
+  int changes = 0, direction = 0, firstDirection = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point &a = points[k], &b = points[(k + 1) % count], &c = points[(k + 2) % count];
+    if (turn(a, b, c) < 0) return false;
+    const bool turnsBack =
+        turn(a, b, c) == 0 &&
+        (double(b.x) - a.x) * (double(c.x) - b.x) + (double(b.y) - a.y) * (double(c.y) - b.y) < 0;
+    if (turnsBack) return false;
+    const int now = a.x < b.x ? 1 : a.x > b.x ? -1 : 0;
+    if (now == 0) continue;
+    changes += direction != 0 && now != direction;
+    if (firstDirection == 0) firstDirection = now;
+    direction = now;
+  }
+  return changes + (direction != firstDirection) <= 2;
+}
+
+/// True where the sides a b and c d have a point inside of both in common, and are not on one line.
+bool doCross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) {
+    return false;
+  }
+  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
+
+bool crossesItself(const std::vector<Point>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t l = k + 1; l < count; ++l) {
+      if (doCross(points[k], points[(k + 1) % count], points[l], points[(l + 1) % count])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The corners that are left of an outline, in a ring.
+class EarCutter {
+ public:
+  EarCutter(std::vector<Point> points, std::vector<OutlineTriangle>& triangles)
+      : points_(std::move(points)), triangles_(triangles) {
+    const auto count = std::uint32_t(points_.size());
+    for (std::uint32_t k = 0; k < count; ++k) {
+      ring_.push_back({(k + count - 1) % count, (k + 1) % count});
+    }
+  }
+
+  /// False where at some time no ear is found, or what is left turns the other way.
+  bool cutAll() {
+    const auto isLess = [](const Point& a, const Point& b) {
+      return a.x < b.x || (a.x == b.x && a.y < b.y);
+    };
+    const auto least = std::min_element(points_.begin(), points_.end(), isLess);
+    std::uint32_t at = std::uint32_t(least - points_.begin());
+    findReflex();
+    std::size_t left = points_.size(), passed = 0;
+    while (left > 3) {
+      // All the way around no ear: then corners on a line, which leave no area behind.
+      const bool mayBeFlat = passed >= left;
+      if (passed >= 2 * left) return false;
+      if (isEar(at, mayBeFlat)) {
+        cut(at);
+        at = ring_[at].next;  // not the neighbour: slices stay short
+        --left;
+        passed = 0;
+      } else {
+        ++passed;
+      }
+      at = ring_[at].next;
+    }
+    triangles_.push_back({ring_[at].before, at, ring_[at].next});
+    return turnAt(at) >= 0;
+  }
+
+ private:
+  struct Neighbours {
+    std::uint32_t before, next;
+  };
+
+  int turnAt(std::uint32_t at) const {
+    return turn(points_[ring_[at].before], points_[at], points_[ring_[at].next]);
+  }
+
+  void findReflex() {
+    isReflex_.resize(points_.size());
+    for (std::uint32_t k = 0; k < points_.size(); ++k) {
+      isReflex_[k] = turnAt(k) <= 0;
+      if (isReflex_[k]) reflex_.push_back(k);
+    }
+  }
+
+  bool isEar(std::uint32_t at, bool mayBeFlat) const {
+    const int turned = turnAt(at);
+    if (turned < 0 || (turned == 0 && !mayBeFlat)) return false;
+    if (turned == 0) return true;
+    const std::uint32_t before = ring_[at].before, next = ring_[at].next;
+    const Point ear[] = {points_[before], points_[at], points_[next]};
+    const float left = std::min({ear[0].x, ear[1].x, ear[2].x}),
+                right = std::max({ear[0].x, ear[1].x, ear[2].x}),
+                low = std::min({ear[0].y, ear[1].y, ear[2].y}),
+                high = std::max({ear[0].y, ear[1].y, ear[2].y});
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t k) {
+      const Point& p = points_[k];
+      if (!isReflex_[k] || k == before || k == at || k == next) return false;
+      if (p.x < left || p.x > right || p.y < low || p.y > high) return false;
+      return intrudes(k, ear, mayBeFlat);
+    });
+  }
+
+  /// Whether a corner lies in an ear, or a side from it goes into the ear.
+  bool intrudes(std::uint32_t k, const Point (&ear)[3], bool mayTouch) const {
+    const Point& p = points_[k];
+    int sides[3];
+    for (int side = 0; side < 3; ++side) sides[side] = turn(ear[side], ear[(side + 1) % 3], p);
+    if (*std::min_element(sides, sides + 3) < 0) return false;
+    for (int corner = 0; corner < 3; ++corner) {
+      if (!(p == ear[corner])) continue;
+      const Point &behind = ear[(corner + 1) % 3], &before = ear[(corner + 2) % 3];
+      for (const std::uint32_t other : {ring_[k].before, ring_[k].next}) {
+        if (turn(p, behind, points_[other]) > 0 && turn(before, p, points_[other]) > 0) return true;
+      }
+      return false;
+    }
+    return !mayTouch || *std::min_element(sides, sides + 3) > 0;
+  }
+
+  void cut(std::uint32_t at) {
+    const auto [before, next] = ring_[at];
+    triangles_.push_back({before, at, next});
+    ring_[before].next = next;
+    ring_[next].before = before;
+    isReflex_[at] = false;
+    for (const std::uint32_t k : {before, next}) isReflex_[k] = turnAt(k) <= 0;
+    reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(),
+                                 [&](std::uint32_t k) { return !isReflex_[k]; }),
+                  reflex_.end());
+  }
+
+  const std::vector<Point> points_;
+  std::vector<OutlineTriangle>& triangles_;
+  std::vector<Neighbours> ring_;
+  std::vector<char> isReflex_;         // it does not turn to the left
+  std::vector<std::uint32_t> reflex_;  // those
+};
+
+}  // namespace
+
+OutlineShape cutOutline(const std::vector<Vec3f>& corners,
+                        std::vector<OutlineTriangle>& triangles) {
+  triangles.clear();
+  std::vector<Point> points = projected(corners);
+  if (points.empty() || isConvex(withoutRepeats(points))) return OutlineShape::convex;
+  if (crossesItself(points) || !EarCutter(std::move(points), triangles).cutAll()) {
+    triangles.clear();
+    return OutlineShape::crossing;
+  }
+  return OutlineShape::concave;
+}
