@@ -5,12 +5,22 @@
 
 #include "image/image.h"
 
-/// A sample is one of the three components of a pixel, 0..255; the difference of a pixel is the
-/// largest of the differences of its samples.
+/// A picture as it was read.
+struct ReadPicture {
+  Image image;
+  FloatImage exact{};  ///< the same in floats, where the file has more than bytes; else no pixels
+};
+
+/// A sample is one of the three components of a pixel. Differences are in levels, 1/255 of the
+/// brightest that a screen shows. Where both pictures have floats, these are compared: a difference
+/// is absolute up to 1, and above it relative to the expected sample, |e - a| 255 / max(1, |e|).
+/// NaN differs from all but NaN, and an infinity from all but itself, by infinity. Else bytes are
+/// compared. The difference of a pixel is the largest of those of its samples.
 struct Comparison {
-  int maximum = 0;  ///< the largest difference of a pixel
-  double mean = 0;  ///< sum of |e - a| over all 3 W H samples, divided by 3 W H
-  double rms = 0;   ///< square root of the sum of (e - a)^2 over all samples, divided by 3 W H
+  double maximum =
+      0;            ///< the largest difference of a pixel, a whole number where bytes are compared
+  double mean = 0;  ///< sum of the differences of all 3 W H samples, divided by 3 W H
+  double rms = 0;   ///< square root of the sum of their squares, divided by 3 W H
   double psnr = 0;  ///< 20 log10(255 / rms) decibels; infinity for equal pictures
 
   std::size_t pixels = 0;
@@ -26,12 +36,12 @@ struct Comparison {
 
 /// Both pictures have the same width and height, else std::invalid_argument is thrown.
 /// `tolerance` is in levels, at least 0.
-Comparison compare(const Image& expected, const Image& actual, int tolerance);
+Comparison compare(const ReadPicture& expected, const ReadPicture& actual, int tolerance);
 
 /// How many times the differences in differencePicture are enlarged.
 inline constexpr int kDifferenceGain = 16;
 
-/// Each sample is min(255, kDifferenceGain |e - a|): black where the pictures agree. Pictures of
-/// different sizes are laid with their top left corners on each other; where only one of them has
-/// a pixel it is magenta.
-Image differencePicture(const Image& expected, const Image& actual);
+/// Each sample is min(255, kDifferenceGain times the difference): black where the pictures agree.
+/// Pictures of different sizes are laid with their top left corners on each other; where only one
+/// of them has a pixel it is magenta.
+Image differencePicture(const ReadPicture& expected, const ReadPicture& actual);

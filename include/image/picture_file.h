@@ -1,17 +1,24 @@
-// Picture files: TGA, PNG, PPM and PFM, any of them, and each one by itself.
+// Picture files: TGA, PNG, BMP, PPM and PFM, any of them, and each one by itself.
 // A writer hands its file to a sink piece by piece, so that a picture stands in memory once. A
 // reader takes the whole file. It asks for the memory of a picture only when the file is long
 // enough to hold that picture, and is told the file's name for messages.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "image/bytes.h"
 #include "image/image.h"
 
-enum class PictureFormat { tga, png, ppm, pfm };
+enum class PictureFormat { tga, png, bmp, ppm, pfm };
 
-/// By the ending of the file's name, in capitals or not; TGA where it is missing or unknown.
+/// The endings of names by which formats are chosen, without dot, in the order of PictureFormat.
+inline constexpr const char* kPictureEndings[] = {"tga", "png", "bmp", "ppm", "pfm"};
+
+/// By the ending of the file's name, in capitals or not; TGA where there is none. std::nullopt
+/// where the ending is none of kPictureEndings.
+std::optional<PictureFormat> knownFormatOf(const std::string& path);
+/// The same, TGA where the ending is unknown.
 PictureFormat formatOf(const std::string& path);
 
 /// Where a picture that is part of another lies in that one, and a text of at most 255 bytes.
@@ -37,9 +44,11 @@ void writeTgaRows(int width, int height, const std::function<Bytes(int y)>& row,
 /// The file that writePicture would write by one thread. A TGA's sides are at most 65535 pixels.
 Bytes encodePicture(const Image& image, PictureFormat format, const TgaPlace& place = {});
 
-/// Reads a picture, whatever the file is called: PNG, PPM or PFM where the content begins as these
-/// do, else TGA. Throws ImageError.
-Image readImage(const std::string& path);
+/// Reads a picture, whatever the file is called: PNG, BMP, PPM or PFM where the content begins as
+/// these do, else TGA. Where `exact` is not null and the file has more than 8 bits a sample (PFM,
+/// PNG and PPM of 16), it becomes the picture in floats, else a picture without pixels. Throws
+/// ImageError, which names formats that are known but not read (JPEG, GIF, TIFF, WebP).
+Image readImage(const std::string& path, FloatImage* exact = nullptr);
 
 /// Takes a file piece by piece, in its order.
 using Sink = std::function<void(const Bytes& piece)>;
@@ -74,14 +83,29 @@ void encodePng(const Image& image, const Sink& sink, int threads);
 /// True where the bytes begin with PNG's signature.
 bool isPng(const Bytes& bytes);
 
-/// Reads 8 bits per sample of every colour type: grey, RGB, palette, grey and alpha, RGBA. Alpha
-/// (and tRNS) is dropped, gamma and other ancillary chunks are skipped. CRC-32, Adler-32, chunk
-/// order and lengths are checked; what follows IEND is ignored. Errors: 1, 2, 4 and 16 bits and
-/// interlaced pictures ("not supported"), an unknown critical chunk, a palette index out of range,
-/// more or less data than the picture needs. Deflate expands at most 1032 : 1, and memory grows as
-/// it is decoded; a picture of more than 2^26 pixels of which a byte of the file holds more than
-/// 256 is refused. Throws ImageError.
-Image decodePng(const Bytes& bytes, const std::string& name);
+/// Reads every colour type, depth and interlacing: grey and palettes of 1, 2, 4 and 8 bits, grey,
+/// RGB and both with alpha of 8 and 16, interlaced by Adam7 or not. A sample of other than 8 bits
+/// becomes the nearest byte; where `exact` is not null and samples have 16 bits, it becomes the
+/// picture in floats from 0 to 1. Alpha (and tRNS) is dropped, gamma and other ancillary chunks are
+/// skipped. CRC-32, Adler-32, chunk order and lengths are checked; what follows IEND is ignored.
+/// Errors: an unknown critical chunk, a palette index out of range, more or less data than the
+/// picture needs. Deflate expands at most 1032 : 1, and memory grows as it is decoded; a picture of
+/// more than 2^26 pixels of which a byte of the file holds more than 256 is refused. Throws
+/// ImageError.
+Image decodePng(const Bytes& bytes, const std::string& name, FloatImage* exact = nullptr);
+
+// BMP. Source: Microsoft, "Bitmap Storage" (BITMAPINFOHEADER), 2021.
+
+/// 24 bits, not compressed, the bottom row first; of at most 4 GB.
+void encodeBmp(const Image& image, const Sink& sink);
+
+/// True where the bytes begin with BM and the length of a head that is known.
+bool isBmp(const Bytes& bytes);
+
+/// Reads 24 and 32 bits a pixel, and 8 with a palette; not compressed (32 bits with the usual
+/// masks too); the bottom or, where the height is below 0, the top row first. The fourth byte of 32
+/// bits is dropped. Throws ImageError.
+Image decodeBmp(const Bytes& bytes, const std::string& name);
 
 // PPM and PFM: pictures behind a head of plain text.
 // Sources: ppm(5) of Netpbm, 2016; Debevec, PFM: Portable FloatMap Image Format, 2001.
@@ -104,5 +128,6 @@ bool isNetpbm(const Bytes& bytes);
 ///   The size of the scale is not used.
 /// - Comments (# to the end of the line) may stand in the head, except of PF. What follows the
 ///   pixels is ignored.
-/// Throws ImageError, also for P1, P4 (bitmaps) and P7.
-Image decodeNetpbm(const Bytes& bytes, const std::string& name);
+/// Where `exact` is not null and samples have more than 8 bits, it becomes the picture in floats, 1
+/// for a maximum. Throws ImageError, also for P1, P4 (bitmaps) and P7.
+Image decodeNetpbm(const Bytes& bytes, const std::string& name, FloatImage* exact = nullptr);

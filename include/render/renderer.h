@@ -68,7 +68,8 @@ struct RenderTargets {
   FloatImage* exactDepth = nullptr;
   FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ. Either may be the
-  /// larger one. What is not hit is black, in every picture but `color`.
+  /// larger one. What is not hit is black, in every picture but `color`; in exactDepth it lies behind
+  /// every distance: -infinity, or infinity where depthMin is the larger one.
   double depthMin = 0, depthMax = 1;
   /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
   PictureWindow window{};

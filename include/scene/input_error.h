@@ -35,6 +35,7 @@ class MistakeLog {
 
   explicit MistakeLog(Mode mode) : mode_(mode) {}
 
+  Mode mode() const { return mode_; }
   std::size_t count() const { return mistakes_.size(); }
 
   /// Throws `mistake`, or keeps it; `place` says where in the scene file it belongs, in bytes.

@@ -1,6 +1,7 @@
 // SceneParser: reads a scene file and owns everything in it: the one owner of the program.
 // Every other pointer to a camera, light, material, object or mesh is borrowed from here.
 #pragma once
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +71,15 @@ class SceneParser {
   /// The longest side of the world box of all spheres and triangles; 0 where there are none.
   double getSpan() const;
 
+  /// The thinnest closed object of transparent material that is thinner than kThinSolid, the
+  /// assignment's epsilon: rays that start so far off its front would miss its back.
+  struct ThinSolid {
+    double thickness = std::numeric_limits<double>::infinity();  ///< in the world; infinite: none
+    std::size_t line = 0;                                        ///< of the scene file
+  };
+  static constexpr double kThinSolid = 0.001;
+  const ThinSolid& getThinnestSolid() const { return thinnest_; }
+
   /// Finds out which meshes of transparent material enclose a volume, and lists all such solids.
   /// Needed once, before rendering with
   /// RenderOptions::transparentShadows, nestedDielectrics or fresnel.
@@ -90,6 +100,7 @@ class SceneParser {
   std::vector<std::unique_ptr<MeshGeometry>> meshes_;
   Group group_;
   std::optional<SolidObjects> solids_;
+  ThinSolid thinnest_;
   std::vector<std::string> meshFiles_;
   std::vector<std::string> warnings_;
 };

@@ -34,3 +34,9 @@ std::string_view nearestWord(std::string_view word, WordList allowed);
 
 /// "a, b or c".
 std::string listed(WordList words);
+
+/// "a camera", "an up", by the first letter.
+std::string withArticle(std::string_view noun);
+
+/// "1 pair", "2 pairs": a count and a noun, of which the plural has an s unless it is given.
+std::string counted(std::size_t count, std::string_view noun, std::string_view plural = "");

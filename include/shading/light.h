@@ -8,7 +8,8 @@
 
 /// The formula of a point light at `position`, for any number of places (see math/number.h): stores
 /// the unit direction to it, 0 at the light itself, the colour that arrives, dimmed by
-/// 1 / (a0 + a1 s + a2 s^2) at distance s and rounded to float, and s. `attenuation` is a0, a1, a2.
+/// 1 / (a0 + a1 s + a2 s^2) at distance s and rounded to float, and s. `attenuation` is a0, a1, a2;
+/// where the sum is not above 0, nothing arrives. No component is larger than a float can hold.
 template <class Number>
 void illuminate(const Vec3<Number>& position, const Vec3<Number>& color,
                 const Vec3<Number>& attenuation, const Vec3<Number>& point,
@@ -17,7 +18,12 @@ void illuminate(const Vec3<Number>& position, const Vec3<Number>& color,
   const Number s = length(way);
   dirToLight = choose(s > 0, way / s, Vec3<Number>());
   const Number dimming = attenuation.x() + attenuation.y() * s + attenuation.z() * (s * s);
-  arriving = roundedToFloat(color / dimming);
+  const Vec3<Number> dimmed = color / dimming;
+  const Number most = 0x1.fffffep127;  // the largest float
+  for (int k = 0; k < 3; ++k) {
+    arriving[k] = choose(dimming > 0, larger(-most, smaller(dimmed[k], most)), Number(0));
+  }
+  arriving = roundedToFloat(arriving);
   distance = s;
 }
 
@@ -57,8 +63,8 @@ class DirectionalLight : public Light {
 /// Light from one point, dimmed by 1 / (a0 + a1 s + a2 s^2) at distance s.
 class PointLight : public Light {
  public:
-  /// `attenuation` holds a0, a1, a2; (1, 0, 0) does not dim at all. Where the sum is 0 the
-  /// colour is infinite, or NaN in a channel that is black.
+  /// `attenuation` holds a0, a1, a2; (1, 0, 0) does not dim at all. Where the sum is not above 0
+  /// the light adds nothing.
   PointLight(const Vec3d& position, const Vec3f& color, const Vec3d& attenuation)
       : position_(position), color_(color), attenuation_(attenuation) {}
 

@@ -52,6 +52,12 @@ void setFile(Words words, Draft& draft) {
   memberOf(draft, member) = words.file(0);
 }
 
+/// One picture that is written.
+template <auto member>
+void setPicture(Words words, Draft& draft) {
+  memberOf(draft, member) = words.picture(0);
+}
+
 /// One of the choices of the row, which stand in the order of the member's values. Names of
 /// instruction sets are so alike that none is proposed for another.
 template <auto member, bool proposes = true>
@@ -73,14 +79,14 @@ void want(Draft& draft, const OutputRequest& output) {
 /// A picture as large as the one that is rendered, or the file of a pixel's rays.
 template <Kind kind>
 void wantPicture(Words words, Draft& draft) {
-  want(draft, {kind, words.file(0)});
+  want(draft, {kind, kind == Kind::rays ? words.file(0) : words.picture(0)});
 }
 
 /// Whether the enlarged picture is too large shows when the size is known.
 template <Kind kind>
 void wantEnlarged(Words words, Draft& draft) {
   const int zoom = words.integer(1, 1, kMaxImageSide);
-  want(draft, {kind, words.file(0), 0, 0, zoom});
+  want(draft, {kind, words.picture(0), 0, 0, zoom});
 }
 
 /// MIN MAX FILE, or FILE MIN MAX where the first word is no number.
@@ -90,7 +96,7 @@ void wantDepth(Words words, Draft& draft) {
   const double depthMin = words.anyNumber(first, std::string("MIN") + kOrders);
   const double depthMax = words.anyNumber(first + 1, std::string("MAX") + kOrders);
   if (depthMin == depthMax) words.fail(first, "MIN and MAX to differ");
-  want(draft, {Kind::depth, words.file(first == 0 ? 2 : 0), depthMin, depthMax});
+  want(draft, {Kind::depth, words.picture(first == 0 ? 2 : 0), depthMin, depthMax});
 }
 
 /// What it brings holds since before the first argument: startFrom.
@@ -181,7 +187,7 @@ void setBand(Words words, Draft& draft) {
 
 /// The whole picture, then its parts; all are files.
 void setMerge(Words words, Draft& draft) {
-  for (std::size_t i = 0; i < words.all().size(); ++i) words.file(i);
+  for (std::size_t i = 0; i < words.all().size(); ++i) i == 0 ? words.picture(i) : words.file(i);
   draft.merge.output = words[0];
   draft.merge.parts.assign(words.all().begin() + 1, words.all().end());
 }
@@ -297,7 +303,7 @@ constexpr ArgumentAction kActions[] = {
     {"compare", setCompare, Mode::comparing},
     {"tolerance", setInteger<&CompareRequest::tolerance, 0, 255>, Mode::comparing},
     {"fail_percent", setFailPercent, Mode::comparing},
-    {"diff", setFile<&CompareRequest::diff>, Mode::comparing},
+    {"diff", setPicture<&CompareRequest::diff>, Mode::comparing},
     {"report", setFile<&CompareRequest::report>, Mode::comparing},
     {"csv", setFile<&CompareRequest::csv>, Mode::comparing},
 

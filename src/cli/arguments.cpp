@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "image/picture_file.h"
 #include "scene/number_reader.h"
 
 void ArgumentWords::fail(std::size_t index, const std::string& expected) const {
@@ -55,4 +56,16 @@ std::size_t ArgumentWords::choice(bool proposes) const {
 const std::string& ArgumentWords::file(std::size_t index) const {
   if (words_[index].empty()) fail(index, "a file name");
   return words_[index];
+}
+
+const std::string& ArgumentWords::picture(std::size_t index) const {
+  const std::string& name = file(index);
+  if (!knownFormatOf(name)) {
+    std::string endings;
+    for (const char* const ending : kPictureEndings) {
+      endings += std::string(endings.empty() ? "." : ", .") + ending;
+    }
+    fail(index, "a file name without ending or with one of " + endings);
+  }
+  return name;
 }

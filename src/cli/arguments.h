@@ -81,6 +81,9 @@ class ArgumentWords {
   /// The name of a file: anything but "". "-" is standard input or output.
   const std::string& file(std::size_t index) const;
 
+  /// The name of a picture that is written: likewise, with an ending that is known, or none.
+  const std::string& picture(std::size_t index) const;
+
   /// The place of the first word among the choices of the argument's action; in the message of a
   /// mistake the nearest one is proposed, unless not `proposes`.
   std::size_t choice(bool proposes = true) const;

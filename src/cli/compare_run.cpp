@@ -44,14 +44,20 @@ std::string attempt(const std::string& purpose, const Work& work) {
   }
 }
 
+ReadPicture read(const std::string& file) {
+  ReadPicture picture;
+  picture.image = readImage(file, &picture.exact);
+  return picture;
+}
+
 /// Compares the pair's files, where there are two. `rendered` stands for the actual one unless it
 /// is null. Where a file cannot be read the pair is unreadable and says why.
-void comparePair(const CompareRequest& request, const Image* rendered, ComparedPair& pair) {
+void comparePair(const CompareRequest& request, const ReadPicture* rendered, ComparedPair& pair) {
   if (pair.isAtFault()) return;
   const std::string fault = attempt("to compare " + pair.name, [&] {
-    const Image expected = readImage(pair.expected);
-    const Image read = rendered ? Image() : readImage(pair.actual);
-    comparePictures(expected, rendered ? *rendered : read, request, pair);
+    const ReadPicture expected = read(pair.expected);
+    const ReadPicture actual = rendered ? ReadPicture() : read(pair.actual);
+    comparePictures(expected, rendered ? *rendered : actual, request, pair);
   });
   if (!fault.empty()) pair.fail(Result::unreadable, fault);
 }
@@ -82,12 +88,13 @@ void compareCommand(const TableCommand& command, const CompareRequest& request,
   std::vector<Output> outputs = outputsOf(command.render.results);
   const std::string fault = attempt("to compare " + outputs[0].file,
                                     [&] { outputs = renderPictures(command.render, command.run); });
-  for (const Output& output : outputs) {
+  for (Output& output : outputs) {
     const std::string partner = partnerOf(output.file, expected);
     pairs.push_back({output.file, inFolder(request.expected, partner), command.text});
     if (partner.empty()) pairs.back().fail(Result::unexpected, "no expected picture");
     if (!fault.empty()) pairs.back().fail(Result::unreadable, fault);
-    comparePair(request, &output.image, pairs.back());
+    const ReadPicture rendered = {std::move(output.image), std::move(output.exact)};
+    comparePair(request, &rendered, pairs.back());
   }
 }
 
@@ -120,6 +127,10 @@ std::vector<ComparedPair> compareAll(const CompareRequest& request, const RunReq
   if (isFolder(request.expected)) {
     if (!request.diff.empty()) throw UsageError("-diff: expected two pictures, found a folder");
     if (!isFolder(request.actual)) return compareTable(request, run);
+  }
+  if (!isFolder(request.expected) && isFolder(request.actual)) {
+    throw ImageError(request.actual,
+                     "expected a picture to compare with " + request.expected + ", found a folder");
   }
   std::vector<ComparedPair> pairs = pairsIn(request.expected, request.actual);
   // All before the first one is read, likewise.
@@ -172,6 +183,7 @@ int runComparison(const CompareRequest& request, const RunRequest& run) {
     complain(error.what());
     return kUnreadable;
   }
+  for (ComparedPair& pair : pairs) pair.given = request.actual;
   if (pairs.empty()) {
     complain(request.expected + ": expected pictures to compare, found none");
     return kUnreadable;

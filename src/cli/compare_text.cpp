@@ -7,6 +7,7 @@
 #include "cli/compared_pair.h"
 #include "image/output_file.h"
 #include "scene/source_text.h"
+#include "scene/wording.h"
 #include "system/files.h"
 
 namespace {
@@ -18,7 +19,7 @@ using Result = ComparedPair::Result;
 constexpr const char* kCsvHeading =
     "name,expected,actual,result,expected_width,expected_height,actual_width,actual_height,"
     "maximum,mean,rms,psnr,pixels_over,percent_over,worst_x,worst_y,box_x,box_y,box_width,"
-    "box_height\r\n";
+    "box_height,given\r\n";
 
 /// How many pixels differ by more than the tolerance.
 std::string overText(const Comparison& f) {
@@ -62,12 +63,12 @@ std::string figureFields(const ComparedPair& pair) {
                 f.boxWidth, ',', f.boxHeight);
 }
 
-/// 20 fields, in the order of kCsvHeading.
+/// 21 fields, in the order of kCsvHeading.
 std::string csvRow(const ComparedPair& pair) {
   return joined(quotedField(pair.name), ',', quotedField(pair.expected), ',',
                 quotedField(pair.actual), ',', nameOf(pair.result), ',',
                 sizeFields(pair.expectedSize), ',', sizeFields(pair.actualSize), ',',
-                figureFields(pair), "\r\n");
+                figureFields(pair), ',', quotedField(pair.given), "\r\n");
 }
 
 }  // namespace
@@ -113,8 +114,9 @@ std::string pairLines(const std::vector<ComparedPair>& pairs) {
     same += pair.result == Result::same;
     different += pair.result == Result::different;
   }
-  return text + joined(pairs.size(), " pairs: ", same, " same, ", different, " different, ",
-                       pairs.size() - same - different, " missing, unexpected or unreadable\n");
+  return text + joined(counted(pairs.size(), "pair"), ": ", same, " same, ", different,
+                       " different, ", pairs.size() - same - different,
+                       " missing, unexpected or unreadable\n");
 }
 
 /// The table is read, added to and replaced as a whole. Two runs at once would each lose the

@@ -20,7 +20,9 @@ using Result = ComparedPair::Result;
 
 /// By the ending alone: a file that is no picture in spite of it is unreadable, and so told.
 bool isPictureName(const fs::path& path) {
-  static constexpr std::string_view kEndings[] = {".tga", ".png", ".ppm", ".pgm", ".pfm"};
+  static constexpr std::string_view kEndings[] = {".tga", ".png", ".bmp",  ".ppm",
+                                                  ".pgm", ".pfm", ".jpg",  ".jpeg",
+                                                  ".gif", ".tif", ".tiff", ".webp"};
   std::string ending = path.extension().string();
   for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
   return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
@@ -110,11 +112,12 @@ bool isWorse(const ComparedPair& a, const ComparedPair& b) {
 
 /// For the report the pictures are kept as they stand there, compressed: it holds those of all
 /// pairs at once, and their pixels would take more memory.
-void comparePictures(const Image& expected, const Image& actual, const CompareRequest& request,
-                     ComparedPair& pair) {
-  pair.expectedSize = {expected.Width(), expected.Height()};
-  pair.actualSize = {actual.Width(), actual.Height()};
-  if (expected.Width() != actual.Width() || expected.Height() != actual.Height()) {
+void comparePictures(const ReadPicture& expected, const ReadPicture& actual,
+                     const CompareRequest& request, ComparedPair& pair) {
+  pair.expectedSize = {expected.image.Width(), expected.image.Height()};
+  pair.actualSize = {actual.image.Width(), actual.image.Height()};
+  if (pair.expectedSize.width != pair.actualSize.width ||
+      pair.expectedSize.height != pair.actualSize.height) {
     pair.fail(Result::different, "expected " + sizeText(pair.expectedSize) + " pixels, found " +
                                      sizeText(pair.actualSize));
   } else {

@@ -25,15 +25,17 @@ struct ComparedPair {
   std::optional<Comparison> comparison{};  ///< where both pictures have the same size
   std::string figures{};  ///< the pictures, as they stand in the report, where one is wanted
   Image difference{};     ///< the picture of the differences, where -diff is given
+  std::string given{};    ///< the ACTUAL that the pair comes of, as the command line has it
 
   /// Neither the same within the tolerance nor readable and different.
   bool isAtFault() const { return result != Result::same && result != Result::different; }
   void fail(Result how, const std::string& why);
 };
 
-/// All files below `folder`, however deep, whose endings are those of pictures (tga, png, ppm, pgm,
-/// pfm, in capitals or not), as paths relative to it, sorted. Links to folders are not followed.
-/// Throws ImageError where a folder cannot be read.
+/// All files below `folder`, however deep, whose endings are those of pictures (tga, png, bmp, ppm,
+/// pgm, pfm; jpg, gif, tif and webp too, which reading then refuses; in capitals or not), as paths
+/// relative to it, sorted. Links to folders are not followed. Throws ImageError where a folder
+/// cannot be read.
 std::vector<std::string> picturesIn(const std::string& folder);
 
 /// The picture of that name in `pictures` (sorted paths), else the first one whose path is the same
@@ -49,8 +51,8 @@ std::string inFolder(const std::string& folder, const std::string& name);
 std::vector<ComparedPair> pairsIn(const std::string& expected, const std::string& actual);
 
 /// Compares the pair's pictures, which are not kept, and enters what came of it.
-void comparePictures(const Image& expected, const Image& actual, const CompareRequest& request,
-                     ComparedPair& pair);
+void comparePictures(const ReadPicture& expected, const ReadPicture& actual,
+                     const CompareRequest& request, ComparedPair& pair);
 
 /// True where `a` is to come before `b` in a list of the worst first: unreadable or without
 /// partner, other sizes, many pixels over the tolerance, a large error; then by name.
@@ -88,7 +90,8 @@ void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path);
 
 /// The pair's pictures as they stand in the report: PNGs in HTML, one where both are equal, else
 /// both and that of their differences.
-std::string reportFigures(const Image& expected, const Image& actual, const ComparedPair& pair);
+std::string reportFigures(const ReadPicture& expected, const ReadPicture& actual,
+                          const ComparedPair& pair);
 
 /// The page: HTML in one file that needs nothing from outside. Pairs come as they are given. Names
 /// may hold any bytes.

@@ -19,6 +19,7 @@
 #include "image/output_file.h"
 #include "image/picture_file.h"
 #include "scene/input_error.h"
+#include "scene/wording.h"
 #include "system/worker_threads.h"
 
 namespace {
@@ -163,12 +164,18 @@ std::string differenceText(const PartId& expected, const PartId& found) {
   return "another scene, other meshes or other arguments";
 }
 
-/// The first part says which picture it is; where it is the wrong one, all others are named.
+/// Most parts say which picture it is, of as many the first one; the others are named.
 void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
+  std::map<std::string, std::size_t> counts;
+  for (const PartFile& part : parts) ++counts[textOf(part.id)];
+  const auto isRarer = [&](const PartFile& a, const PartFile& b) {
+    return counts[textOf(a.id)] < counts[textOf(b.id)];
+  };
+  const PartFile& usual = *std::max_element(parts.begin(), parts.end(), isRarer);
   for (const PartFile& part : parts) {
-    if (textOf(part.id) == textOf(parts[0].id)) continue;
-    mistakes.push_back(part.path + ": expected a part of the same picture as " + parts[0].path +
-                       ", found one of " + differenceText(parts[0].id, part.id));
+    if (textOf(part.id) == textOf(usual.id)) continue;
+    mistakes.push_back(part.path + ": expected a part of the same picture as " + usual.path +
+                       ", found one of " + differenceText(usual.id, part.id));
   }
 }
 
@@ -221,7 +228,7 @@ int runMerge(const MergeRequest& request) {
   const std::size_t shown = std::min(mistakes.size(), kMostComplaints);
   for (std::size_t i = 0; i < shown; ++i) complain(mistakes[i]);
   if (shown < mistakes.size()) {
-    complain("and " + std::to_string(mistakes.size() - shown) + " more mistakes");
+    complain("and " + counted(mistakes.size() - shown, "more mistake"));
   }
   return kSceneAtFault;
 }

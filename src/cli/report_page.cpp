@@ -176,7 +176,8 @@ std::string rowsOf(const ComparedPair& pair, const CompareRequest& request) {
 
 }  // namespace
 
-std::string reportFigures(const Image& expected, const Image& actual, const ComparedPair& pair) {
+std::string reportFigures(const ReadPicture& expected, const ReadPicture& actual,
+                          const ComparedPair& pair) {
   const std::string name = escaped(pair.name), end = "</div>\n";
   std::string text = "<div class=\"pictures\">";
   const auto add = [&](const char* kind, const std::string& caption, const Image& image) {
@@ -184,11 +185,11 @@ std::string reportFigures(const Image& expected, const Image& actual, const Comp
     text += filled(kFigure, {kind, caption, name, base64(png)});
   };
   if (pair.comparison && pair.comparison->maximum == 0) {
-    add("expected", "expected and actual, which are equal", expected);
+    add("expected", "expected and actual, which are equal", expected.image);
     return text + end;
   }
-  add("expected", "expected", expected);
-  add("actual", "actual", actual);
+  add("expected", "expected", expected.image);
+  add("actual", "actual", actual.image);
   add("difference", joined("difference, ", kDifferenceGain, " times"),
       differencePicture(expected, actual));
   return text + end + filled(kWipe, {name});

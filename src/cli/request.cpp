@@ -42,6 +42,24 @@ std::string nameOf(const std::string& word) {
       nearest.empty() ? "'raytracer -help' lists them all" : "did you mean '-" + nearest + "'?");
 }
 
+/// The command line with --name=word as two words, and -size WxH with its numbers apart.
+std::vector<std::string> separated(const std::vector<std::string>& words) {
+  std::vector<std::string> all;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    const bool isNamed = equals != word.npos && findArgument(nameOf(word.substr(0, equals)));
+    if (isNamed) all.push_back(word.substr(0, equals));
+    const std::string value = isNamed ? word.substr(equals + 1) : word;
+    const std::size_t x = value.find('x');
+    const bool isSize = x != value.npos && !all.empty() && nameOf(all.back()) == "size" &&
+                        value.find_first_not_of("0123456789x") == value.npos &&
+                        value.find('x', x + 1) == value.npos && x > 0 && x + 1 < value.size();
+    all.push_back(isSize ? value.substr(0, x) : value);
+    if (isSize) all.push_back(value.substr(x + 1));
+  }
+  return all;
+}
+
 /// The words that follow words[at], which names the argument of `row`: as many as it needs, up to
 /// the next argument, and then all that it may have, up to the next word with a dash.
 std::vector<std::string> followingWords(const std::vector<std::string>& words, std::size_t at,
@@ -75,7 +93,9 @@ void startFromCourse(const std::vector<std::string>& words, Draft& draft) {
 
 /// Enters all arguments in `draft`; the rows of them all, in their order. Of equal arguments the
 /// last one wins.
-std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& words, Draft& draft) {
+std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& commandLine,
+                                              Draft& draft) {
+  const std::vector<std::string> words = separated(commandLine);
   startFromCourse(words, draft);
   std::vector<const ArgumentRow*> rows;
   std::vector<GivenArgument>& given = draft.render.given;

@@ -6,6 +6,8 @@
 // place of the scene.
 #include "cli/scene_setup.h"
 
+#include <sstream>
+
 #include "accel/compiled_scene.h"
 #include "accel/test_tally.h"
 #include "accel/grid/grid.h"
@@ -50,6 +52,17 @@ void warnOfSamples(const SamplingOptions& wanted) {
            ", a square" + (isAdaptive ? " and this times a power of 4" : ""));
 }
 
+/// An automatic epsilon looks at the thickness itself.
+void warnOfThinGlass(const SceneParser::ThinSolid& thinnest, const Epsilon& epsilon,
+                     const std::string& file) {
+  if (epsilon.kind != Epsilon::Kind::fixed || thinnest.thickness >= epsilon.value) return;
+  std::ostringstream text;
+  text << "warning: " << file << ":" << thinnest.line << ": the transparent object is "
+       << thinnest.thickness << " thick, less than the epsilon of " << epsilon.value
+       << ": rays that enter it pass its back; -epsilon adaptive sees it";
+  complain(text.str());
+}
+
 }  // namespace
 
 SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNotes& notes) {
@@ -71,8 +84,10 @@ void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet)
     for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
     warnOfSimd(picture.acceleration.simd);
     warnOfSamples(options.sampling);
-    if (!picture.idle.empty())
+    if (!picture.idle.empty()) {
       complain("note: no window is opened: " + picture.idle + " without effect");
+    }
+    warnOfThinGlass(scene.getThinnestSolid(), options.epsilon, displayName(picture.scene));
   }
   // These ask what a ray is inside of, which only a closed mesh can tell.
   if (options.transparentShadows || options.nestedDielectrics || options.fresnel) {

@@ -1,11 +1,10 @@
 // Comparison: one walk over both pictures, from the top left in reading order, so that the first of
-// several worst pixels is the one that is named. Sums are of whole numbers, which no order of
-// summing changes; the figures are computed from them at the end.
+// several worst pixels is the one that is named. The figures are computed from sums at the end.
 #include "image/comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
@@ -15,24 +14,42 @@ namespace {
 
 constexpr Rgb8 kOnlyInOne = {255, 0, 255};
 
-/// Sums over the samples of two pictures, exact: 65025 * 3 * 2^32 is below 2^53.
+/// Sums over the samples of two pictures. Those of bytes are exact: 65025 * 3 * 2^32 is below 2^53.
 struct Sums {
-  std::uint64_t differences = 0, squares = 0;
+  double differences = 0, squares = 0;
 };
 
-/// The pixel at column x of the row that is y-th from the top.
-Rgb8 pixelAt(const Image& image, int x, int y) { return image.getPixel(x, image.Height() - 1 - y); }
-
-/// Adds the differences of three samples to the sums, and returns the largest.
-int addDifferences(Rgb8 e, Rgb8 a, Sums& sums) {
-  int largest = 0;
-  for (const int difference : {std::abs(e.r - a.r), std::abs(e.g - a.g), std::abs(e.b - a.b)}) {
-    sums.differences += std::uint64_t(difference);
-    sums.squares += std::uint64_t(difference * difference);
-    largest = std::max(largest, difference);
-  }
-  return largest;
+/// Of two floats, in levels; see Comparison.
+double differenceOf(float e, float a) {
+  if (e == a || (std::isnan(e) && std::isnan(a))) return 0;
+  const double difference = std::fabs(double(e) - double(a));
+  if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
+  return difference * 255 / std::max(1.0, std::fabs(double(e)));
 }
+
+/// The differences of the samples of two pictures, place by place.
+class Differences {
+ public:
+  Differences(const ReadPicture& expected, const ReadPicture& actual)
+      : expected_(expected),
+        actual_(actual),
+        areExact_(expected.exact.Width() > 0 && actual.exact.Width() > 0) {}
+
+  /// At column x of the row that is y-th from the top, which both have.
+  std::array<double, 3> at(int x, int y) const {
+    const int ye = expected_.image.Height() - 1 - y, ya = actual_.image.Height() - 1 - y;
+    if (areExact_) {
+      const Vec3f e = expected_.exact.getPixel(x, ye), a = actual_.exact.getPixel(x, ya);
+      return {differenceOf(e.r(), a.r()), differenceOf(e.g(), a.g()), differenceOf(e.b(), a.b())};
+    }
+    const Rgb8 e = expected_.image.getPixel(x, ye), a = actual_.image.getPixel(x, ya);
+    return {std::fabs(e.r - a.r), std::fabs(e.g - a.g), std::fabs(e.b - a.b)};
+  }
+
+ private:
+  const ReadPicture &expected_, &actual_;
+  const bool areExact_;
+};
 
 /// Counts the pixel, which is over the tolerance, and makes the box as large as it takes.
 void addOver(int x, int y, Comparison& result) {
@@ -50,27 +67,18 @@ void addOver(int x, int y, Comparison& result) {
 /// From the sums over all three samples of a pixel; see Comparison for the formulas.
 void setFigures(const Sums& sums, Comparison& result) {
   const double samples = 3.0 * double(result.pixels);
-  result.mean = double(sums.differences) / samples;
-  result.rms = std::sqrt(double(sums.squares) / samples);
+  result.mean = sums.differences / samples;
+  result.rms = std::sqrt(sums.squares / samples);
   result.psnr = sums.squares == 0 ? std::numeric_limits<double>::infinity()
                                   : 20 * math::log(255 / result.rms) / math::log(10.0);
 }
 
 /// A sample's difference, made visible.
-std::uint8_t enlarged(int e, int a) {
-  return std::uint8_t(std::min(255, kDifferenceGain * std::abs(e - a)));
+std::uint8_t enlarged(double difference) {
+  return std::uint8_t(std::min(255.0, kDifferenceGain * difference));
 }
 
 bool holds(const Image& image, int x, int y) { return x < image.Width() && y < image.Height(); }
-
-/// What differencePicture shows at a place.
-Rgb8 differenceAt(const Image& expected, const Image& actual, int x, int y) {
-  const bool isExpected = holds(expected, x, y), isActual = holds(actual, x, y);
-  if (isExpected != isActual) return kOnlyInOne;
-  if (!isExpected) return Rgb8();
-  const Rgb8 e = pixelAt(expected, x, y), a = pixelAt(actual, x, y);
-  return {enlarged(e.r, a.r), enlarged(e.g, a.g), enlarged(e.b, a.b)};
-}
 
 }  // namespace
 
@@ -78,19 +86,26 @@ double Comparison::percentOver() const {
   return pixels == 0 ? 0 : 100.0 * double(pixelsOver) / double(pixels);
 }
 
-Comparison compare(const Image& expected, const Image& actual, int tolerance) {
-  if (expected.Width() != actual.Width() || expected.Height() != actual.Height()) {
+Comparison compare(const ReadPicture& expected, const ReadPicture& actual, int tolerance) {
+  const int width = expected.image.Width(), height = expected.image.Height();
+  if (width != actual.image.Width() || height != actual.image.Height()) {
     throw std::invalid_argument("pictures of different sizes cannot be compared");
   }
   Comparison result;
-  result.pixels = std::size_t(expected.Width()) * std::size_t(expected.Height());
+  result.pixels = std::size_t(width) * std::size_t(height);
+  const Differences differences(expected, actual);
   Sums sums;
-  for (int y = 0; y < expected.Height(); ++y) {
-    for (int x = 0; x < expected.Width(); ++x) {
-      const int difference = addDifferences(pixelAt(expected, x, y), pixelAt(actual, x, y), sums);
-      if (difference > tolerance) addOver(x, y, result);
-      if (difference <= result.maximum) continue;  // the first one of the largest stays
-      result.maximum = difference;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::array<double, 3> samples = differences.at(x, y);
+      for (const double difference : samples) {
+        sums.differences += difference;
+        sums.squares += difference * difference;
+      }
+      const double largest = *std::max_element(samples.begin(), samples.end());
+      if (largest > tolerance) addOver(x, y, result);
+      if (largest <= result.maximum) continue;  // the first one of the largest stays
+      result.maximum = largest;
       result.worstX = x;
       result.worstY = y;
     }
@@ -99,12 +114,20 @@ Comparison compare(const Image& expected, const Image& actual, int tolerance) {
   return result;
 }
 
-Image differencePicture(const Image& expected, const Image& actual) {
-  Image picture(std::max(expected.Width(), actual.Width()),
-                std::max(expected.Height(), actual.Height()));
+Image differencePicture(const ReadPicture& expected, const ReadPicture& actual) {
+  const Image &e = expected.image, &a = actual.image;
+  const Differences differences(expected, actual);
+  Image picture(std::max(e.Width(), a.Width()), std::max(e.Height(), a.Height()));
   for (int y = 0; y < picture.Height(); ++y) {
     for (int x = 0; x < picture.Width(); ++x) {
-      picture.setPixel(x, picture.Height() - 1 - y, differenceAt(expected, actual, x, y));
+      Rgb8 pixel;
+      if (holds(e, x, y) && holds(a, x, y)) {
+        const std::array<double, 3> samples = differences.at(x, y);
+        pixel = {enlarged(samples[0]), enlarged(samples[1]), enlarged(samples[2])};
+      } else if (holds(e, x, y) || holds(a, x, y)) {
+        pixel = kOnlyInOne;
+      }
+      picture.setPixel(x, picture.Height() - 1 - y, pixel);
     }
   }
   return picture;

@@ -25,7 +25,8 @@ Bytes headOf(const std::string& kind, int width, int height, const std::string& 
 /// Takes the head, which says how samples are stored; then each sample by the same function.
 class NetpbmReader {
  public:
-  NetpbmReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
+  NetpbmReader(const Bytes& bytes, const std::string& name, FloatImage* exact)
+      : reader_(bytes, name), exact_(exact) {}
 
   Image read() {
     const unsigned kind = reader_.take(2, "kind of picture")[1];
@@ -93,25 +94,33 @@ class NetpbmReader {
 
   /// The top row comes first, but of floats the bottom one.
   Image takePixels(int width, int height) {
+    const bool isExact = exact_ && (isFloat_ || maximum_ > 255);
     Image image(width, height);
+    if (isExact) *exact_ = FloatImage(width, height);
     for (int row = 0; row < height; ++row) {
+      const int y = isFloat_ ? row : height - 1 - row;
       for (int x = 0; x < width; ++x) {
         Rgb8 pixel;
-        pixel.r = takeSample();
-        pixel.g = isGrey_ ? pixel.r : takeSample();
-        pixel.b = isGrey_ ? pixel.r : takeSample();
-        image.setPixel(x, isFloat_ ? row : height - 1 - row, pixel);
+        Vec3f color;
+        pixel.r = takeSample(color[0]);
+        pixel.g = isGrey_ ? pixel.r : takeSample(color[1]);
+        pixel.b = isGrey_ ? pixel.r : takeSample(color[2]);
+        if (isGrey_) color = Vec3f(color[0], color[0], color[0]);
+        image.setPixel(x, y, pixel);
+        if (isExact) exact_->setPixel(x, y, color);
       }
     }
     return image;
   }
 
-  /// As a byte: a sample s of at most m as 255 s / m, rounded to nearest.
-  std::uint8_t takeSample() {
-    if (isFloat_) return byteFromComponent(takeFloat());
+  /// As a byte: a sample s of at most m as 255 s / m, rounded to nearest; and as it stands in
+  /// `exact`, m being 1.
+  std::uint8_t takeSample(float& exact) {
+    if (isFloat_) return byteFromComponent(exact = takeFloat());
     unsigned value = isText_ ? takeNumber("sample", 0, maximum_) : reader_.takeByte("sample");
     if (!isText_ && maximum_ > 255) value = value * 256 + reader_.takeByte("sample");
     reader_.check(value <= maximum_, "expected a sample of at most ", maximum_, ", found ", value);
+    exact = float(value) / float(maximum_);
     return static_cast<std::uint8_t>((value * 255 + maximum_ / 2) / maximum_);
   }
 
@@ -126,6 +135,7 @@ class NetpbmReader {
   }
 
   ByteReader reader_;
+  FloatImage* const exact_;  // not owned; may be null
   bool isFloat_ = false, isText_ = false, isGrey_ = false, isLowFirst_ = false;
   unsigned maximum_ = 255;
 };
@@ -167,7 +177,7 @@ bool isNetpbm(const Bytes& bytes) {
   return isKind && (isSpace(bytes[2]) || bytes[2] == '#');
 }
 
-Image decodeNetpbm(const Bytes& bytes, const std::string& name) {
+Image decodeNetpbm(const Bytes& bytes, const std::string& name, FloatImage* exact) {
   if (!isNetpbm(bytes)) throw ImageError(name, "expected a PPM or PFM file");
-  return NetpbmReader(bytes, name).read();
+  return NetpbmReader(bytes, name, exact).read();
 }

@@ -32,12 +32,32 @@ void encode(const Image& image, PictureFormat format, int threads, const TgaPlac
           width, height, [&image](int y) { return bgrRow(image, y); }, place, sink);
     case PictureFormat::png:
       return encodePng(image, sink, threads);
+    case PictureFormat::bmp:
+      return encodeBmp(image, sink);
     case PictureFormat::ppm:
       return encodePpm(image, sink);
     case PictureFormat::pfm:
       return encodePfm(
           width, height, [&image](int x, int y) { return colorOf(image.getPixel(x, y)); }, sink);
   }
+}
+
+/// What the bytes begin as, where it is a format that others write and this program does not read;
+/// null else.
+const char* otherFormatOf(const Bytes& bytes) {
+  struct Format {
+    std::string_view start;
+    const char* name;
+  };
+  static constexpr Format kFormats[] = {
+      {"\xff\xd8\xff", "a JPEG"}, {"GIF8", "a GIF"},  {{"II*\0", 4}, "a TIFF"},
+      {{"MM\0*", 4}, "a TIFF"},   {"RIFF", "a WebP"},
+  };
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const Format& format : kFormats) {
+    if (text.substr(0, format.start.size()) == format.start) return format.name;
+  }
+  return nullptr;
 }
 
 /// Writes what encodeTo(sink) gives, in fewer and larger pieces: a row each would be many calls.
@@ -58,17 +78,22 @@ void write(const std::string& path, const EncodeTo& encodeTo) {
 
 }  // namespace
 
-PictureFormat formatOf(const std::string& path) {
+std::optional<PictureFormat> knownFormatOf(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
-  std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
+  if (dot == std::string::npos || path[dot] == '/') return PictureFormat::tga;
+  std::string ending = path.substr(dot + 1);
+  if (ending.empty()) return PictureFormat::tga;
   // Of ASCII alone, whatever the locale says of capitals.
   for (char& c : ending) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  if (ending == "png") return PictureFormat::png;
-  if (ending == "ppm") return PictureFormat::ppm;
-  if (ending == "pfm") return PictureFormat::pfm;
-  return PictureFormat::tga;
+  const auto found = std::find(std::begin(kPictureEndings), std::end(kPictureEndings), ending);
+  if (found == std::end(kPictureEndings)) return std::nullopt;
+  return PictureFormat(found - std::begin(kPictureEndings));
+}
+
+PictureFormat formatOf(const std::string& path) {
+  return knownFormatOf(path).value_or(PictureFormat::tga);
 }
 
 void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place) {
@@ -76,6 +101,11 @@ void writePicture(const Image& image, const std::string& path, int threads, cons
   // TGA has 16 bits for each side. Told before the file is opened, which stays as it is.
   if (format == PictureFormat::tga && std::max(image.Width(), image.Height()) > 65535) {
     throw OutputError(path, "a TGA image is at most 65535 pixels wide and high, this one is " +
+                                std::to_string(image.Width()) + " x " +
+                                std::to_string(image.Height()));
+  }
+  if (format == PictureFormat::bmp && double(image.Width()) * image.Height() > 0x1p30) {
+    throw OutputError(path, "a BMP image has at most 2^30 pixels here, this one is " +
                                 std::to_string(image.Width()) + " x " +
                                 std::to_string(image.Height()));
   }
@@ -99,10 +129,15 @@ Bytes encodePicture(const Image& image, PictureFormat format, const TgaPlace& pl
   return all;
 }
 
-Image readImage(const std::string& path) {
+Image readImage(const std::string& path, FloatImage* exact) {
   const Bytes bytes = readBytes(path);
+  if (exact) *exact = FloatImage();
   // By content alone: a name may say anything, and a TGA begins with any bytes.
-  if (isPng(bytes)) return decodePng(bytes, path);
-  if (isNetpbm(bytes)) return decodeNetpbm(bytes, path);
+  if (isPng(bytes)) return decodePng(bytes, path, exact);
+  if (isNetpbm(bytes)) return decodeNetpbm(bytes, path, exact);
+  if (isBmp(bytes)) return decodeBmp(bytes, path);
+  if (const char* const other = otherFormatOf(bytes)) {
+    throw ImageError(path, std::string(other) + " file: convert it to PNG first");
+  }
   return decodeTga(bytes, path);
 }

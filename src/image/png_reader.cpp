@@ -2,10 +2,11 @@
 // palette, and the data of all IDAT chunks, which are put together (RFC 2083, 3 and 4). A chunk
 // that is unknown is skipped where its type begins with a small letter, which says that it may be.
 // The data is inflated at once; then the filters are undone row by row from the top (6), as each
-// needs the row above it, and the samples become pixels. Everything that the head declares is held
-// against what the file has before memory is asked for: deflate makes at most kMostExpansion bytes
-// of one. Order and number of the chunks are checked as the specification has them (4.3), so that a
-// file that other readers refuse is refused here too.
+// needs the row above it, and the samples become pixels. An interlaced picture is seven smaller
+// ones, each of every eighth to every second pixel of some rows, one behind the other (2.6).
+// Everything that the head declares is held against what the file has before memory is asked for:
+// deflate makes at most kMostExpansion bytes of one. Order and number of the chunks are checked as
+// the specification has them (4.3), so that a file that other readers refuse is refused here too.
 #include <algorithm>
 #include <cstring>
 
@@ -41,10 +42,19 @@ Chunk takeChunk(ByteReader& reader) {
   return chunk;
 }
 
+/// Some of a picture's pixels: column 0 of row 0 is (x, y), the next are dx and dy further.
+struct Pass {
+  std::uint32_t x, y, dx, dy;
+};
+constexpr Pass kWhole[] = {{0, 0, 1, 1}};
+constexpr Pass kAdam7[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                           {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+
 /// Gathers what the chunks say: the head, a palette, compressed data. At IEND the picture is made.
 class PngReader {
  public:
-  PngReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
+  PngReader(const Bytes& bytes, const std::string& name, FloatImage* exact)
+      : reader_(bytes, name), exact_(exact) {}
 
   Image read() {
     reader_.take(sizeof png::kSignature, "signature");
@@ -58,19 +68,15 @@ class PngReader {
     reader_.check(hasData_, "expected image data before IEND, found none");
     Bytes rows = inflateRows();
     Image image(static_cast<int>(width_), static_cast<int>(height_));
-    for (std::size_t row = 0; row < height_; ++row) {
-      // In place: the row above, whose filter is undone, is still there for this one.
-      std::uint8_t* const samples = &rows[row * stride()];
-      undoFilter(samples, row > 0);
-      for (int x = 0; x < image.Width(); ++x) {
-        image.setPixel(x, image.Height() - 1 - static_cast<int>(row), pixelOf(samples + 1, x));
-      }
-    }
+    if (exact_ && depth_ == 16) *exact_ = FloatImage(image.Width(), image.Height());
+    std::uint8_t* row = rows.data();
+    for (const Pass* pass = firstPass(); pass != lastPass(); ++pass)
+      row = takePass(*pass, row, image);
     return image;
   }
 
  private:
-  /// IHDR (4.1.1). What is allowed but not supported has a message of its own.
+  /// IHDR (4.1.1).
   void readHeader(const Chunk& chunk) {
     reader_.check(chunk.type == "IHDR" && chunk.size == 13,
                   "expected an IHDR chunk of 13 bytes first, found ", chunk.type, " of ",
@@ -79,18 +85,22 @@ class PngReader {
     height_ = bigEndian32(chunk.data + 4);
     reader_.check(std::min(width_, height_) >= 1 && std::max(width_, height_) <= kLongestField,
                   "expected a width and height of 1 to 2^31 - 1, found ", width_, " x ", height_);
-    const unsigned depth = chunk.data[8], compression = chunk.data[10], filter = chunk.data[11],
+    const unsigned compression = chunk.data[10], filter = chunk.data[11],
                    interlace = chunk.data[12];
+    depth_ = chunk.data[8];
     colorType_ = chunk.data[9];
     constexpr unsigned kChannels[] = {1, 0, 3, 1, 2, 0, 4};  // by colour type
     channels_ = colorType_ < std::size(kChannels) ? kChannels[colorType_] : 0;
     reader_.check(channels_ > 0, "expected a colour type of 0, 2, 3, 4 or 6, found ", colorType_);
-    reader_.check(depth == 8, "PNG images of ", depth,
-                  " bits per sample are not supported, only of 8");
+    const bool isPowerOfTwo = depth_ == 1 || depth_ == 2 || depth_ == 4 || depth_ == 8;
+    const bool isSmall = colorType_ == png::kGrey || colorType_ == png::kPalette;
+    const bool fits =
+        depth_ == 8 || (depth_ == 16 && colorType_ != png::kPalette) || (isPowerOfTwo && isSmall);
+    reader_.check(fits, "samples of ", depth_, " bits do not fit colour type ", colorType_);
     reader_.check(compression == 0 && filter == 0,
                   "expected compression and filter method 0, found ", compression, " and ", filter);
-    reader_.check(interlace != 1, "interlaced PNG images are not supported");
-    reader_.check(interlace == 0, "expected interlace method 0 or 1");
+    reader_.check(interlace <= 1, "expected interlace method 0 or 1, found ", interlace);
+    isInterlaced_ = interlace == 1;
   }
 
   /// `before` is the type of the chunk before this one.
@@ -134,14 +144,32 @@ class PngReader {
                   " bytes does not fit the colour type or palette");
   }
 
-  /// Bytes of a row with its filter.
-  std::uint64_t stride() const { return 1 + std::uint64_t{width_} * channels_; }
+  const Pass* firstPass() const { return isInterlaced_ ? kAdam7 : kWhole; }
+  const Pass* lastPass() const { return isInterlaced_ ? std::end(kAdam7) : std::end(kWhole); }
+  /// Columns and rows of a pass, either may be 0.
+  std::uint64_t columnsOf(const Pass& pass) const {
+    return (std::uint64_t{width_} + pass.dx - 1 - pass.x) / pass.dx;
+  }
+  std::uint64_t rowsOf(const Pass& pass) const {
+    return (std::uint64_t{height_} + pass.dy - 1 - pass.y) / pass.dy;
+  }
+  /// Bytes of a row of so many pixels, with its filter.
+  std::uint64_t stride(std::uint64_t columns) const {
+    return 1 + (columns * channels_ * depth_ + 7) / 8;
+  }
+  /// Bytes that the filters take for a pixel: of several pixels in a byte 1.
+  std::size_t bytesPerPixel() const { return std::max<std::size_t>(1, channels_ * depth_ / 8); }
 
   /// All rows, each behind its filter.
   Bytes inflateRows() const {
-    const std::uint64_t size = height_ * stride(), pixels = std::uint64_t{width_} * height_;
+    std::uint64_t size = 0;
+    for (const Pass* pass = firstPass(); pass != lastPass(); ++pass) {
+      const std::uint64_t columns = columnsOf(*pass);
+      if (columns > 0) size += rowsOf(*pass) * stride(columns);
+    }
     // Deflate makes at most kMostExpansion bytes of one: too little data is told before inflating.
     const bool isPossible = size / kMostExpansion <= data_.size();
+    const std::uint64_t pixels = std::uint64_t{width_} * height_;
     reader_.checkSize(width_, height_, isPossible ? pixels : 0, data_.size(), " compressed");
     Bytes rows;
     try {
@@ -154,33 +182,81 @@ class PngReader {
     return rows;
   }
 
+  /// Enters the pixels of a pass, whose rows begin at `row`; returns where the next one's do.
+  std::uint8_t* takePass(const Pass& pass, std::uint8_t* row, Image& image) {
+    const std::uint64_t columns = columnsOf(pass), rows = columns > 0 ? rowsOf(pass) : 0;
+    for (std::uint64_t k = 0; k < rows; ++k, row += stride(columns)) {
+      // In place: the row above, whose filter is undone, is still there for this one.
+      undoFilter(row, stride(columns), k > 0);
+      const int y = image.Height() - 1 - int(pass.y + k * pass.dy);
+      for (std::uint64_t column = 0; column < columns; ++column) {
+        const int x = int(pass.x + column * pass.dx);
+        image.setPixel(x, y, pixelOf(row + 1, column));
+        if (exact_ && depth_ == 16) exact_->setPixel(x, y, exactOf(row + 1, column));
+      }
+    }
+    return row;
+  }
+
   /// `row` points at the filter byte; the row before it is already done. Beyond the edges is 0.
-  void undoFilter(std::uint8_t* row, bool hasAbove) const {
+  void undoFilter(std::uint8_t* row, std::uint64_t size, bool hasAbove) const {
     const unsigned filter = row[0];
+    const std::size_t perPixel = bytesPerPixel();
     reader_.check(filter < png::kFilters, "expected a filter of 0 to 4, found ", filter);
-    for (std::size_t i = 1; filter != 0 && i < stride(); ++i) {
-      const bool hasLeft = i > channels_;
-      const int left = hasLeft ? row[i - channels_] : 0;
-      const int above = hasAbove ? *(row + i - stride()) : 0;
-      const int corner = hasLeft && hasAbove ? *(row + i - stride() - channels_) : 0;
+    for (std::size_t i = 1; filter != 0 && i < size; ++i) {
+      const bool hasLeft = i > perPixel;
+      const int left = hasLeft ? row[i - perPixel] : 0;
+      const int above = hasAbove ? *(row + i - size) : 0;
+      const int corner = hasLeft && hasAbove ? *(row + i - size - perPixel) : 0;
       row[i] = static_cast<std::uint8_t>(row[i] + png::predict(filter, left, above, corner));
     }
   }
 
-  /// The pixel at column x of a row of samples.
-  Rgb8 pixelOf(const std::uint8_t* samples, int x) const {
-    const std::uint8_t* const sample = samples + std::size_t(x) * channels_;
-    if (channels_ >= 3) return {sample[0], sample[1], sample[2]};
-    if (colorType_ != png::kPalette) return {sample[0], sample[0], sample[0]};
-    if (sample[0] < palette_.size()) return palette_[sample[0]];
-    reader_.fail("expected a palette index below ", palette_.size(), ", found ",
-                 unsigned{sample[0]});
+  /// Sample `number` of a row, counted from its left: those of less than 8 bits from the high end
+  /// of their byte on (2.3).
+  unsigned sampleAt(const std::uint8_t* samples, std::uint64_t number) const {
+    if (depth_ == 16) return samples[2 * number] * 256u + samples[2 * number + 1];
+    const std::uint64_t bit = number * depth_;
+    return samples[bit / 8] >> (8 - depth_ - bit % 8) & ((1u << depth_) - 1);
+  }
+  unsigned largestSample() const { return (1u << depth_) - 1; }
+
+  /// A colour's sample as a byte, rounded to nearest (12.5 of the specification's third edition).
+  std::uint8_t byteAt(const std::uint8_t* samples, std::uint64_t number) const {
+    const unsigned most = largestSample();
+    return std::uint8_t((sampleAt(samples, number) * 255 + most / 2) / most);
+  }
+
+  /// The pixel at a column of a row of samples.
+  Rgb8 pixelOf(const std::uint8_t* samples, std::uint64_t column) const {
+    const std::uint64_t first = column * channels_;
+    if (channels_ >= 3) {
+      return {byteAt(samples, first), byteAt(samples, first + 1), byteAt(samples, first + 2)};
+    }
+    if (colorType_ != png::kPalette) {
+      const std::uint8_t grey = byteAt(samples, first);
+      return {grey, grey, grey};
+    }
+    const unsigned index = sampleAt(samples, first);
+    if (index < palette_.size()) return palette_[index];
+    reader_.fail("expected a palette index below ", palette_.size(), ", found ", index);
+  }
+
+  /// The same without rounding to bytes.
+  Vec3f exactOf(const std::uint8_t* samples, std::uint64_t column) const {
+    Vec3f color;
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned channel = channels_ >= 3 ? k : 0;
+      color[int(k)] = float(sampleAt(samples, column * channels_ + channel)) / 65535;
+    }
+    return color;
   }
 
   ByteReader reader_;
+  FloatImage* const exact_;  // not owned; may be null
   std::uint32_t width_ = 0, height_ = 0;
-  unsigned colorType_ = 0, channels_ = 0;
-  bool hasData_ = false, hasTransparency_ = false;
+  unsigned colorType_ = 0, channels_ = 0, depth_ = 8;
+  bool isInterlaced_ = false, hasData_ = false, hasTransparency_ = false;
   std::vector<Rgb8> palette_;
   Bytes data_;  // of all IDAT chunks
 };
@@ -192,7 +268,7 @@ bool isPng(const Bytes& bytes) {
          std::equal(std::begin(png::kSignature), std::end(png::kSignature), bytes.begin());
 }
 
-Image decodePng(const Bytes& bytes, const std::string& name) {
+Image decodePng(const Bytes& bytes, const std::string& name, FloatImage* exact) {
   if (!isPng(bytes)) throw ImageError(name, "expected the signature of a PNG file");
-  return PngReader(bytes, name).read();
+  return PngReader(bytes, name, exact).read();
 }

@@ -78,7 +78,7 @@ struct Pass {
   std::function<void(WaveTracer& tracer, const PixelRectangle& area)> renderTile;
 };
 
-/// 1 at depthMin, 0 at depthMax, and on beyond them.
+/// 1 at depthMin, 0 at depthMax, and on beyond them; what is not hit lies infinitely far.
 Vec3f depthColor(const RenderTargets& targets, const Hit& hit) {
   const float grey = float((targets.depthMax - hit.getT()) / (targets.depthMax - targets.depthMin));
   return {grey, grey, grey};
@@ -93,7 +93,8 @@ Vec3f normalColor(const Hit& hit) {
 void setSurface(const RenderTargets& targets, const Hit& hit, Pixel at) {
   const bool found = hit.getT() < Hit().getT();
   if (targets.depth) {
-    set(targets.depth, targets.exactDepth, at, found ? depthColor(targets, hit) : Vec3f());
+    targets.depth->setPixel(at.i, at.j, found ? depthColor(targets, hit) : Vec3f());
+    if (targets.exactDepth) targets.exactDepth->setPixel(at.i, at.j, depthColor(targets, hit));
   }
   if (targets.normals) {
     set(targets.normals, targets.exactNormals, at, found ? normalColor(hit) : Vec3f());

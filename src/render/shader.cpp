@@ -16,11 +16,12 @@
 namespace {
 
 /// The assignment's constant suits scenes of the assignment's size: those that span 1 to 1000
-/// units, and those of planes alone, which span nothing.
+/// units, and those of planes alone, which span nothing; but not where glass is thinner than it.
 Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   if (epsilon.kind != Epsilon::Kind::automatic) return epsilon;
   const double span = scene.getSpan();
-  const bool isUsual = span == 0 || (span >= 1 && span <= 1000);
+  const bool hasThinGlass = scene.getThinnestSolid().thickness < Epsilon::kCourse;
+  const bool isUsual = (span == 0 || (span >= 1 && span <= 1000)) && !hasThinGlass;
   return {isUsual ? Epsilon::Kind::fixed : Epsilon::Kind::adaptive, Epsilon::kCourse};
 }
 

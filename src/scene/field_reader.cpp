@@ -137,10 +137,47 @@ bool FieldReader::readChoice(std::string_view what, WordList choices, std::size_
   return false;
 }
 
+/// A word, or what stands in double quotes on one line. Behind a plain name another word may be the
+/// rest of it: then quotes are what is missing.
 bool FieldReader::readFileName(std::string_view what) {
-  const bool isGood = !atEnd() && !isAt('{') && !isAt('}');
-  isGood ? advance() : reportExpected("a file name for " + std::string(what));
-  return isGood;
+  if (atEnd() || isAt('{') || isAt('}')) {
+    reportExpected("a file name for " + std::string(what));
+    return false;
+  }
+  const char* const start = at();
+  if (*start == '"') {
+    const std::string_view name = fileNameAt(start);
+    if (name.empty()) {
+      report(start, "expected a file name that ends in '\"' on the same line, found none");
+      advance();
+      return false;
+    }
+    tokenizer_.moveTo(name.data() + name.size());
+    lastEnd_ = tokenizer_.place();
+    word_ = tokenizer_.next();
+    return true;
+  }
+  advance();
+  const bool isRest = !atEnd() && !isAt('{') && !isAt('}') && !isAtBlock() &&
+                      word_.find('.') != word_.npos && text_.lineAt(start) == text_.lineAt(at());
+  if (!isRest) return true;
+  report(at(), "expected '}' behind the file name " + quoted(wordAt(start)) + ", found " + found() +
+                   "; a name with blanks stands in quotes: \"a b.obj\"");
+  while (!atEnd() && !isAt('{') && !isAt('}') && !isAtBlock()) advance();
+  return false;
+}
+
+std::string_view FieldReader::fileNameAt(const char* at) const {
+  if (*at != '"') return wordAt(at);
+  const char* const end = text_.bytes().data() + text_.bytes().size();
+  for (const char* p = at + 1; p != end && *p != '\n' && *p != '\r'; ++p) {
+    if (*p == '\\' && p + 1 != end && p[1] == '"') {
+      ++p;
+    } else if (*p == '"') {
+      return {at, std::size_t(p + 1 - at)};
+    }
+  }
+  return {};
 }
 
 // Fields.
@@ -176,6 +213,7 @@ void FieldReader::reportMissing(std::string_view owner, const char* start, const
 /// Reads a field from its name on.
 void FieldReader::readField(Value& value, const OwnReader& readOwn) {
   const ValueKind kind = value.field->kind;
+  const char* const before = value.at;
   const char* start = tokenizer_.place() + 1;
   const bool isPlain = (kind == ValueKind::number || kind == ValueKind::vector) &&
                        readPlainNumbers(value.numbers.data(), countOf(kind));
@@ -185,6 +223,9 @@ void FieldReader::readField(Value& value, const OwnReader& readOwn) {
     if (!readValue(value, readOwn)) start = nullptr;
   }
   value.at = start;
+  // A texture has two of these.
+  if (!before || !start || value.field->name == "materialIndex") return;
+  repeats_.push_back({start, value.field->name, before});
 }
 
 bool FieldReader::readValue(Value& value, const OwnReader& readOwn) {
@@ -231,7 +272,7 @@ bool FieldReader::checkRange(Value& value) {
       return checkReflectance(value);
     case Range::direction:
       if (value.vector() == Vec3d()) {
-        report(value.at, "expected a " + std::string(name) + " that is not zero, found 0 0 0");
+        report(value.at, "expected " + withArticle(name) + " that is not zero, found 0 0 0");
         return false;
       }
       rescale(value);

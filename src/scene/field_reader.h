@@ -100,6 +100,11 @@ class FieldReader {
   void reportFound(const char* at, const std::string& expected);
   /// The word that begins at `at`; and in quotes, for messages.
   std::string_view wordAt(const char* at) const;
+  /// Whether all mistakes are collected, as for -check.
+  bool isChecking() const { return log_.mode() == MistakeLog::Mode::collect; }
+  /// The file name that begins at `at`, with the quotes around it where it has some; empty where
+  /// the second one is missing.
+  std::string_view fileNameAt(const char* at) const;
   std::string quotedAt(const char* at) const { return quoted(wordAt(at)); }
   /// While quiet, mistakes are counted but not reported.
   void setQuiet(bool isQuiet) { isQuiet_ = isQuiet; }
@@ -134,6 +139,14 @@ class FieldReader {
   /// Looks at the ranges of the values that were given of the fields that the table lists for
   /// `block`, in its order.
   bool checkRanges(std::string_view block, Fields& fields);
+  /// The fields that were given more than once in their block: where again, their names and where
+  /// before.
+  struct Repeat {
+    const char* at;
+    std::string_view name;
+    const char* before;
+  };
+  const std::vector<Repeat>& repeats() const { return repeats_; }
   /// The colours with a component above 1 that checkRanges has seen: their places and names.
   const std::vector<Note>& brightColors() const { return brightColors_; }
 
@@ -166,6 +179,7 @@ class FieldReader {
   const char* lastMistakeAt_ = nullptr;
   std::size_t mistakeCount_ = 0;
   std::vector<Note> brightColors_;
+  std::vector<Repeat> repeats_;
 };
 
 /// True when `word` is `name`, or `name` as the course's older scenes write it: num_objects for

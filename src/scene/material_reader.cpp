@@ -47,8 +47,8 @@ void MaterialReader::readIndex() {
     }
     if (areIndicesSure_) {
       in_.report(at, "MaterialIndex out of range: expected one of " +
-                         std::to_string(notes_.listedMaterials) +
-                         " materials, counted from 0, found " + in_.quotedAt(at));
+                         counted(notes_.listedMaterials, "material") + ", counted from 0, found " +
+                         in_.quotedAt(at));
     }
   }
   isMissed_ = true;
@@ -235,7 +235,7 @@ bool MaterialReader::readTextureIndex(std::string_view owner, TextureWords& word
   }
   if (areIndicesSure_) {
     in_.report(at, "materialIndex out of range: expected one of the " +
-                       std::to_string(notes_.listedMaterials) + " materials listed before this " +
+                       counted(notes_.listedMaterials, "material") + " listed before this " +
                        std::string(owner) + ", counted from 0, found " + in_.quotedAt(at));
     return false;
   }

@@ -153,6 +153,17 @@ bool join(std::vector<ObjChunk>& chunks, int threads, MeshGeometry& mesh) {
   return true;
 }
 
+/// Without the quotes around it, in which \" stands for a quote.
+std::string unquoted(std::string_view name) {
+  if (name.size() < 2 || name[0] != '"') return std::string(name);
+  std::string text;
+  for (std::size_t k = 1; k + 1 < name.size(); ++k) {
+    if (name[k] == '\\' && name[k + 1] == '"') ++k;
+    text += name[k];
+  }
+  return text;
+}
+
 /// Where the first statement begins at `from` or behind it: after the first line end from just
 /// before it on that is not continued. (In a comment a backslash would not continue the line: such
 /// a line end is passed over too.) npos where none does.
@@ -192,24 +203,19 @@ MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
   ObjChunk& all = chunks[0];
   readObjChunk(statements, {countObjVertices(statements), 0}, report, all);
   if (log.count() > mistakesBefore) return {};
-  const auto inLine = [&](std::size_t at) {
-    return "line " + std::to_string(text.lineAt(statements.data() + at));
+  const auto warn = [&](std::size_t count, const std::string& what, std::size_t first) {
+    warnings.push_back("has " + counted(count, "face") + " " + what +
+                       (count == 1 ? ", in line " : ", the first in line ") +
+                       std::to_string(text.lineAt(statements.data() + first)));
   };
-  if (const std::size_t count = all.slivers.size()) {
-    warnings.push_back("has " + std::to_string(count) +
-                       (count == 1 ? " face of less than three corners, which is left out, in "
-                                   : " faces of less than three corners, which are left out, the "
-                                     "first in ") +
-                       inLine(all.slivers[0]));
+  if (!all.slivers.empty()) {
+    warn(all.slivers.size(), "of less than three corners, left out", all.slivers[0]);
   }
   all.faceCount = all.faces.size();
   const std::vector<ObjPolygon> fans = cutPolygons(all.vertices, chunks, 1, all.faces)[0];
-  if (const std::size_t count = fans.size()) {
-    warnings.push_back("has " + std::to_string(count) +
-                       (count == 1
-                            ? " face that crosses itself or is too long, in "
-                            : " faces that cross themselves or are too long, the first in ") +
-                       inLine(fans[0].at));
+  if (!fans.empty()) {
+    warn(fans.size(), "that cannot be cut into triangles rightly, as the outline crosses itself",
+         fans[0].at);
   }
   all.vertices.shrink_to_fit();
   all.faces.shrink_to_fit();
@@ -302,18 +308,23 @@ bool MeshLibrary::read(const std::string& path, const std::string& key, std::str
 
 /// Lines may end in CR alone. What is no OBJ file at all is a mistake.
 MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, std::size_t place) {
-  const std::string kind = otherKindOf(bytes);
-  if (!kind.empty()) {
+  const auto reportKind = [&](const std::string& kind) {
     log_.add(place, InputError(path, 0, "expected an OBJ file, found what looks like " + kind));
-    return {};
-  }
+    return MeshGeometry();
+  };
+  const std::string kind = otherKindOf(bytes);
+  if (!kind.empty()) return reportKind(kind);
   if (bytes.find('\n') == bytes.npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
-  return readObj(SourceText(path, std::move(bytes)), log_, place, warnings_);
+  const std::size_t mistakesBefore = log_.count();
+  const SourceText text(path, std::move(bytes));
+  MeshGeometry mesh = readObj(text, log_, place, warnings_);
+  const bool isNothing = mesh.getVertices().empty() && log_.count() == mistakesBefore;
+  return isNothing && isBinary(text.bytes()) ? reportKind("a binary file") : std::move(mesh);
 }
 
 std::vector<std::string> MeshLibrary::candidates(std::string_view name) const {
   if (name.size() > kLongestPath || name.find('\0') != std::string_view::npos) return {};
-  std::string text(name);
+  std::string text = unquoted(name);
   std::replace(text.begin(), text.end(), '\\', '/');
   const std::filesystem::path file(text);
   const std::filesystem::path folder = std::filesystem::path(scene_.name()).parent_path();

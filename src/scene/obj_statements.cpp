@@ -262,8 +262,9 @@ void ChunkReader::reportRange(std::string_view word, std::uint64_t number, bool 
   }
   const std::size_t available =
       isNegative ? chunk_.vertices.size() + around_.before : around_.vertices;
-  report_(word.data(), "face index out of range: there are " + std::to_string(available) +
-                           (isNegative ? " vertices before it" : " vertices") + found);
+  report_(word.data(),
+          std::string("face index out of range: there ") + (available == 1 ? "is " : "are ") +
+              counted(available, "vertex", "vertices") + (isNegative ? " before it" : "") + found);
 }
 
 void ChunkReader::addFace(Corner a, Corner b, Corner c, const char* start) {

@@ -47,7 +47,7 @@ std::unique_ptr<Object3D> ObjectReader::makeShape(std::string_view owner, const 
   if (owner == "TriangleMesh") {
     const Value& file = fields["obj_file"];
     bool isNew = false;
-    const MeshGeometry* const mesh = meshes_.find(in_.wordAt(file.at), isNew);
+    const MeshGeometry* const mesh = meshes_.find(in_.fileNameAt(file.at), isNew);
     if (!mesh || !material) return nullptr;
     if (isNew) warnOfMesh(*mesh, file.at);
     return std::make_unique<TriangleMesh>(mesh, material);
@@ -73,10 +73,8 @@ void ObjectReader::warnOfMesh(const MeshGeometry& mesh, const char* at) {
   if (mesh.faceCount() == 0) {
     notes_.warn(at, name + " has no faces: it will not be seen");
   } else if (const std::uint32_t count = mesh.countFlatFaces()) {
-    notes_.warn(at,
-                name + " has " + std::to_string(count) +
-                    (count == 1 ? " triangle without area: it" : " triangles without area: they") +
-                    " will not be seen");
+    notes_.warn(at, name + " has " + counted(count, "triangle") +
+                        " without area: " + (count == 1 ? "it" : "they") + " will not be seen");
   }
 }
 

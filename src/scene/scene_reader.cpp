@@ -1,7 +1,13 @@
 // The sections of a scene file, and the small ones themselves: camera, lights, background.
 #include "scene/scene_reader.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "camera/camera.h"
+#include "geometry/sphere.h"
+#include "geometry/transform.h"
+#include "geometry/triangle_mesh.h"
 #include "math/functions.h"
 
 namespace {
@@ -25,6 +31,10 @@ SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& s
       objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}
 
 void SceneReader::read() {
+  if (isWideText(in_.text().bytes())) {
+    in_.report(in_.text().bytes().data(), "expected text in UTF-8, found what looks like UTF-16");
+    return;
+  }
   while (!in_.atEnd()) readSection();
   finish();
 }
@@ -40,7 +50,7 @@ void SceneReader::readSection() {
   } else if (word == "Materials") {
     reportSecond("Materials");
     if (hasGroup_) {
-      in_.report(in_.at(), "expected Materials before the first Group, found it after one");
+      in_.report(in_.at(), "Materials must come before the first Group");
     }
     in_.advance();
     materials_.readSection();
@@ -150,6 +160,59 @@ void SceneReader::finish() {
     notes_.warn(in_.at(), std::to_string(notes_.flatTriangles - ObjectReader::kFlatTrianglesNamed) +
                               " more triangles have no area: they will not be seen");
   }
-  if (in_.mistakeCount() == 0) notes_.review(scene_, in_.brightColors());
+  const auto repeatText = [this](const FieldReader::Repeat& repeat) {
+    return std::string(repeat.name) + " is given a second time, first in line " +
+           std::to_string(in_.text().lineAt(repeat.before)) + "; the last one holds";
+  };
+  if (in_.isChecking()) {
+    for (const auto& repeat : in_.repeats()) in_.report(repeat.at, repeatText(repeat));
+  } else {
+    notes_.warnOfSome(in_.repeats(), "fields given a second time", [&](const auto& repeat) {
+      return FieldReader::Note(repeat.at, repeatText(repeat));
+    });
+  }
+  if (in_.mistakeCount() == 0) {
+    notes_.review(scene_, in_.brightColors());
+    findThinnestSolid(scene_.group_, Matrix());
+  }
   scene_.warnings_ = notes_.inOrder();
+}
+
+/// The shortest side of an object's own box, as its Transforms stretch it, is how thick it is. The
+/// depth of recursion is the scene's nesting.
+void SceneReader::findThinnestSolid(const Object3D& object, const Matrix& toWorld) {
+  if (const auto* group = dynamic_cast<const Group*>(&object)) {
+    for (const Object3D* member : group->getObjects()) {
+      if (member) findThinnestSolid(*member, toWorld);
+    }
+    return;
+  }
+  if (const auto* transform = dynamic_cast<const Transform*>(&object)) {
+    return findThinnestSolid(*transform->getObject(), toWorld * transform->getMatrix());
+  }
+  const auto* const sphere = dynamic_cast<const Sphere*>(&object);
+  const auto* const mesh = dynamic_cast<const TriangleMesh*>(&object);
+  const Material* const material = sphere ? sphere->getMaterial()
+                                   : mesh ? mesh->getMaterial()
+                                          : nullptr;
+  if (!material || !material->isTransparent()) return;
+  BoundingBox box;
+  object.addBounds(Matrix(), box);
+  double thickness = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3d side;
+    side[axis] = box.high()[axis] - box.low()[axis];
+    thickness = std::min(thickness, length(toWorld.transformDirection(side)));
+  }
+  // Whether a mesh is closed takes long to find out, and matters for the thinnest alone.
+  if (!(thickness < SceneParser::kThinSolid && thickness < scene_.thinnest_.thickness)) return;
+  if (mesh && !isClosed(mesh->getGeometry())) return;
+  scene_.thinnest_ = {thickness, notes_.lineOf(&object)};
+}
+
+bool SceneReader::isClosed(const MeshGeometry& geometry) {
+  for (const auto& mesh : scene_.meshes_) {
+    if (mesh.get() == &geometry) mesh->findWhetherClosed();
+  }
+  return geometry.isClosed();
 }

@@ -43,11 +43,23 @@ class SceneNotes {
   std::vector<Note> lowExponents;
   std::size_t flatTriangles = 0;
 
+  /// The line where the shape's name stands.
+  std::size_t lineOf(const Object3D* object) const {
+    return text_.lineAt(fromStartOf(object).data());
+  }
   void warn(const char* at, const std::string& message);
   /// Gives the first items to `warnOf`, which returns their Note, and counts the rest at the place
   /// of the first of them.
   template <class Item, class Warn>
-  void warnOfSome(const std::vector<Item>& items, const std::string& what, const Warn& warnOf);
+  void warnOfSome(const std::vector<Item>& items, const std::string& what, const Warn& warnOf) {
+    constexpr std::size_t kMostNamed = 5;
+    for (std::size_t i = 0; i < items.size() && i <= kMostNamed; ++i) {
+      const Note warning = warnOf(items[i]);
+      const bool isNamed = i < kMostNamed;
+      warn(warning.first,
+           isNamed ? warning.second : "and " + std::to_string(items.size() - i) + " more " + what);
+    }
+  }
   /// Warns of what is legal in a scene without mistakes and probably a mistake.
   void review(const SceneParser& scene, const std::vector<Note>& brightColors);
   /// All warnings, "FILE:LINE: text" each, in file order.
@@ -55,6 +67,7 @@ class SceneNotes {
 
  private:
   void warnOfUnusedMaterials();
+  void warnOfDarkLights(const SceneParser& scene);
   std::string_view fromStartOf(const Object3D* object) const;
 
   const SourceText& text_;
@@ -173,6 +186,8 @@ class SceneReader {
   void readLight();
   void readBackground();
   void finish();
+  void findThinnestSolid(const Object3D& object, const Matrix& toWorld);
+  bool isClosed(const MeshGeometry& geometry);
 
   FieldReader in_;
   SceneNotes notes_;

@@ -11,6 +11,8 @@
 // Of one kind of warning only some are named and the rest counted.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <typeinfo>
 
 #include "geometry/group.h"
@@ -23,8 +25,6 @@
 
 namespace {
 
-/// So many of one kind are named; the rest are counted.
-constexpr std::size_t kMostNamed = 5;
 /// What looking for lights inside objects may take: some hundredths of a second.
 constexpr std::size_t kMostSteps = 4'000'000;
 constexpr std::size_t kStepsPerFace = 8;
@@ -230,17 +230,6 @@ std::vector<std::string> SceneNotes::inOrder() const {
   return texts;
 }
 
-template <class Item, class Warn>
-void SceneNotes::warnOfSome(const std::vector<Item>& items, const std::string& what,
-                            const Warn& warnOf) {
-  for (std::size_t i = 0; i < items.size() && i <= kMostNamed; ++i) {
-    const Note warning = warnOf(items[i]);
-    const bool isNamed = i < kMostNamed;
-    warn(warning.first,
-         isNamed ? warning.second : "and " + std::to_string(items.size() - i) + " more " + what);
-  }
-}
-
 void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brightColors) {
   // More light comes back from such a colour than arrives, or it cannot be shown. Those of lights
   // often are above 1, and are not asked about.
@@ -252,6 +241,7 @@ void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brigh
                 "exponent " + exponent.second + " is below 1: its highlight fills the lit side");
   });
   warnOfUnusedMaterials();
+  warnOfDarkLights(scene);
   const Walk walk(scene);
   warnOfSome(walk.behindCamera(), "objects behind the camera", [this](const Object3D* object) {
     const std::string_view start = fromStartOf(object);
@@ -266,6 +256,53 @@ void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brigh
                     std::to_string(text_.lineAt(start.data())) +
                     ": with shadows it lights nothing outside");
   });
+}
+
+namespace {
+
+/// The least distance, up to `most`, at which a0 + a1 s + a2 s^2 is not above 0, that of the light
+/// itself left out; infinity where there is none.
+double darkDistance(const Vec3d& a, double most) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const bool isDarkAtOnce = a.x() < 0 || (a.x() == 0 && (a.y() < 0 || (a.y() == 0 && a.z() <= 0)));
+  if (isDarkAtOnce) return 0;
+  const double squared = a.y() * a.y() - 4 * a.x() * a.z();
+  if (a.z() == 0) return a.y() < 0 && -a.x() / a.y() <= most ? -a.x() / a.y() : kNever;
+  if (squared < 0) return kNever;
+  double least = kNever;
+  for (const double sign : {-1.0, 1.0}) {
+    const double root = (-a.y() + sign * std::sqrt(squared)) / (2 * a.z());
+    if (root > 0 && root <= most) least = std::min(least, root);
+  }
+  return least;
+}
+
+}  // namespace
+
+/// Of point lights whose attenuation turns the light off, or would make it negative, somewhere in
+/// the scene.
+void SceneNotes::warnOfDarkLights(const SceneParser& scene) {
+  BoundingBox box;
+  scene.getGroup()->addBounds(Matrix(), box);
+  std::vector<Note> notes;
+  for (int i = 0; i < scene.getNumLights(); ++i) {
+    const auto* const light = dynamic_cast<const PointLight*>(scene.getLight(i));
+    if (!light) continue;
+    double farthest = std::numeric_limits<double>::infinity();
+    if (!box.isEmpty()) {
+      const Vec3d place = light->getPosition();
+      farthest = length(largest(box.high() - place, place - box.low()));
+    }
+    const double distance = darkDistance(light->getAttenuation(), farthest);
+    if (!std::isfinite(distance)) continue;
+    std::ostringstream text;
+    text << "the light's attenuation is not above 0 "
+         << (distance == 0 ? "near it" : "at a distance of ");
+    if (distance > 0) text << distance;
+    text << ": it adds nothing there";
+    notes.emplace_back(lightStarts[std::size_t(i)], text.str());
+  }
+  warnOfSome(notes, "lights that add nothing somewhere", [](const Note& note) { return note; });
 }
 
 /// Textures stand behind their components, so that one pass from the end finds all that is used.

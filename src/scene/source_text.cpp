@@ -90,6 +90,16 @@ std::string_view withoutByteOrderMark(std::string_view bytes) {
   return bytes.substr(bytes.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
 }
 
+/// Without its mark it has a NUL in every other byte of what is ASCII.
+bool isWideText(std::string_view bytes) {
+  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff") return true;
+  std::size_t nuls[2] = {0, 0};
+  const std::string_view head = bytes.substr(0, 1000);
+  for (std::size_t k = 0; k < head.size(); ++k) nuls[k % 2] += head[k] == '\0';
+  const std::size_t all = nuls[0] + nuls[1];
+  return head.size() >= 4 && nuls[0] * nuls[1] == 0 && 3 * all >= head.size();
+}
+
 std::string otherKindOf(std::string_view bytes) {
   struct Kind {
     std::string_view start;
@@ -100,8 +110,6 @@ std::string otherKindOf(std::string_view bytes) {
       {"<", "an HTML page or XML: get the file itself"},
       {"\x1f\x8b", "a gzip file: unpack it first"},
       {"PK\x03\x04", "a zip archive: unpack it first"},
-      {"\xff\xfe", "text in UTF-16: save it as UTF-8"},
-      {"\xfe\xff", "text in UTF-16: save it as UTF-8"},
       {"ply\n", "a PLY file: convert it to OBJ first"},
       {"ply\r", "a PLY file: convert it to OBJ first"},
       {"solid ", "an STL file: convert it to OBJ first"},
@@ -113,11 +121,5 @@ std::string otherKindOf(std::string_view bytes) {
   for (const Kind& kind : kKinds) {
     if (text.substr(0, kind.start.size()) == kind.start) return kind.name;
   }
-  // UTF-16 without its mark has a NUL in every other byte of what is ASCII.
-  std::size_t nuls[2] = {0, 0};
-  const std::string_view head = bytes.substr(0, 1000);
-  for (std::size_t k = 0; k < head.size(); ++k) nuls[k % 2] += head[k] == '\0';
-  if (nuls[0] + nuls[1] == 0) return "";
-  const bool isWide = nuls[0] * nuls[1] == 0 && 3 * (nuls[0] + nuls[1]) >= head.size();
-  return isWide ? "text in UTF-16: save it as UTF-8" : "a binary file";
+  return isWideText(bytes) ? "text in UTF-16: save it as UTF-8" : "";
 }

@@ -73,3 +73,14 @@ std::string listed(WordList words) {
   }
   return text;
 }
+
+std::string withArticle(std::string_view noun) {
+  const bool isVowel = !noun.empty() && std::string_view("aeiouAEIOU").find(noun[0]) != noun.npos;
+  return (isVowel ? "an " : "a ") + std::string(noun);
+}
+
+std::string counted(std::size_t count, std::string_view noun, std::string_view plural) {
+  const std::string text = std::to_string(count) + " ";
+  if (count == 1 || plural.empty()) return text + std::string(noun) + (count == 1 ? "" : "s");
+  return text + std::string(plural);
+}

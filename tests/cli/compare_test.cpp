@@ -155,8 +155,8 @@ TEST("-csv adds a row for each pair below one heading, and refuses other files")
   checkContains(
       table,
       "\"a,\"\"1\"\".tga\",\"a,\"\"1\"\".tga\",b.tga,different,10,10,10,10,4,1,2,42.1102,25,"
-      "25,0,0,0,0,10,3\r\n");
-  checkContains(table, "b.tga,b.tga,b.tga,same,10,10,10,10,0,0,0,inf,0,0,0,0,0,0,0,0\r\n");
+      "25,0,0,0,0,10,3,b.tga\r\n");
+  checkContains(table, "b.tga,b.tga,b.tga,same,10,10,10,10,0,0,0,inf,0,0,0,0,0,0,0,0,b.tga\r\n");
   desk.write("notes.txt", "my notes\n");
   CHECK_EQUAL(desk.status("b.tga b.tga -csv notes.txt"), 1);
   CHECK_EQUAL(check::contentOf(desk.file("notes.txt")), "my notes\n");
@@ -187,7 +187,9 @@ TEST("-csv has every column for what is alone, of another size or unreadable") {
   checkContains(table, "\r\nalone.png,e/alone.png,,missing,,,,");
   checkContains(table, "\r\nbad.png,e/bad.png,a/bad.png,unreadable,");
   checkContains(table, "\r\nsize.png,e/size.png,a/size.png,different,10,10,10,11,,");
-  CHECK_EQUAL(std::count(table.begin(), table.end(), ','), 4 * 19);  // 20 columns, four rows
+  CHECK_EQUAL(std::count(table.begin(), table.end(), ','), 4 * 20);  // 21 columns, four rows
+  // Whose picture is missing.
+  checkContains(table, ",a\r\nbad.png");
 }
 
 TEST("a report shows what is alone before other sizes, and these before other pixels") {

@@ -60,13 +60,13 @@ TEST("a picture of 10^6 x 10^6 pixels is wrong usage, and the message names the 
   CHECK(contains(run.errors, "1000000"));
 }
 
-TEST("a file of zeros is a mistake as a scene; as a mesh it holds nothing") {
+TEST("a file of zeros is a mistake as a scene and as a mesh") {
   const Desk desk;
   desk.write("zeros", std::string(1000000, '\0'));
   desk.checkFault(desk.run("-input zeros -output out.tga"), "zeros:1", "\\x00");
   desk.write("mesh.txt",
              check::smallScene() + "Group { numObjects 1 TriangleMesh { obj_file zeros } }");
-  desk.checkPicture("-input mesh.txt");
+  desk.checkFault(desk.run("-input mesh.txt -output out.tga"), "zeros", "a binary file");
 }
 
 TEST("a folder is no scene and no mesh") {

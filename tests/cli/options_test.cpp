@@ -193,8 +193,8 @@ TEST("file names must not be empty, and a dash is standard input or output") {
 
 TEST("two arguments must not name the same file") {
   const check::ScratchFolder folder;
-  const std::string scene = folder.write("scene.txt", ""), dir = folder.path() + "/";
-  std::filesystem::create_symlink("scene.txt", folder.file("link.txt"));
+  const std::string scene = folder.write("scene", ""), dir = folder.path() + "/";
+  std::filesystem::create_symlink("scene", folder.file("link"));
   std::filesystem::create_symlink("new", folder.file("to_new"));
   std::filesystem::create_hard_link(scene, folder.file("other_name"));
   const auto clash = [&](const std::string& input, const Words& words) {
@@ -211,8 +211,8 @@ TEST("two arguments must not name the same file") {
   CHECK(
       !clash(scene, {"-output", dir + "a", "-normals", dir + "b", "-depth", "1", "2", dir + "c"}));
   CHECK(clash(scene, {"-output", scene}));
-  CHECK(clash(scene, {"-output", dir + "./scene.txt"}));
-  CHECK(clash(scene, {"-normals", dir + "link.txt"}));
+  CHECK(clash(scene, {"-output", dir + "./scene"}));
+  CHECK(clash(scene, {"-normals", dir + "link"}));
   CHECK(clash(scene, {"-normals", dir + "other_name"}));
   CHECK(clash(scene, {"-output", dir + "a", "-normals", dir + "a"}));
   CHECK(clash(scene, {"-output", dir + "new", "-normals", dir + "to_new"}));
@@ -222,4 +222,26 @@ TEST("two arguments must not name the same file") {
   CHECK(!clash("-", {"-output", "-"}));
   CHECK(clash(scene, {"-output", dir + "a", "-checkpoint", dir + "a"}));
   CHECK(clash(scene, {"-output", dir + "a", "-checkpoint", scene}));
+}
+
+TEST("a value may follow its argument behind =, and a size have an x between its numbers") {
+  const Request o = parseRequest(split("--input=s=1.txt -output=o.tga -size 100x50 --bounces=3"));
+  CHECK_EQUAL(o.render.picture.scene, "s=1.txt");
+  CHECK_EQUAL(fileOf(o, Kind::color), "o.tga");
+  CHECK_EQUAL(o.render.picture.width, 100);
+  CHECK_EQUAL(o.render.picture.height, 50);
+  CHECK_EQUAL(o.render.picture.render.maxBounces, 3);
+  CHECK_EQUAL(parse({"--size=7x9"}).render.picture.height, 9);
+  CHECK(contains(mistake({"-size", "100x"}), "-size"));
+  CHECK(contains(mistake({"-ouput=a.tga"}), "unknown argument"));
+}
+
+TEST("an output's ending must be known, or missing") {
+  for (const char* good : {"out", "out.BMP", "a.b/out", "-", ".", "out."}) {
+    CHECK_EQUAL(mistake({"-output", good}), "");
+  }
+  for (const char* wrong : {"x.jpg", "x.tga.gz", ".hidden", "a.b/x.txt"}) {
+    CHECK(contains(mistake({"-output", wrong}), "one of .tga, .png, .bmp, .ppm, .pfm, found"));
+    CHECK(contains(mistake({"-depth", "1", "2", wrong}), "one of .tga"));
+  }
 }

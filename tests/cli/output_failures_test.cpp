@@ -134,8 +134,8 @@ TEST("a scene that comes on standard input is not replaced by a picture of it") 
   const std::string scene = desk.content("scene.txt");
   fs::create_symlink("scene.txt", desk.file("link"));
   for (const char* wrong :
-       {"-input - -output ./scene.txt < scene.txt", "-input - -depth 1 2 link < scene.txt",
-        "-input /dev/stdin -normals scene.txt < scene.txt"}) {
+       {"-input - -output ./link < scene.txt", "-input - -depth 1 2 link < scene.txt",
+        "-input /dev/stdin -normals link < scene.txt"}) {
     const check::ProgramRun run = check::runProgram(wrong, desk.path());
     check::report(run.status == 2 && contains(run.errors, "expected different files"), __FILE__,
                   __LINE__, wrong);

@@ -100,10 +100,10 @@ TEST("an output must not be a mesh of the scene") {
   const Desk desk;
   const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   desk.write("a mesh.obj", mesh);
-  std::filesystem::create_symlink("a mesh.obj", desk.file("link.obj"));
+  std::filesystem::create_symlink("a mesh.obj", desk.file("link.tga"));
   desk.write("mesh.txt",
-             check::smallScene() + "Group { numObjects 1 TriangleMesh { obj_file link.obj } }\n");
-  for (const char* output : {"-output 'a mesh.obj'", "-depth 1 2 link.obj", "-normals link.obj"}) {
+             check::smallScene() + "Group { numObjects 1 TriangleMesh { obj_file link.tga } }\n");
+  for (const char* output : {"-output ./link.tga", "-depth 1 2 link.tga", "-normals link.tga"}) {
     checkFailure(desk.run(std::string("-input mesh.txt ") + output), 2, "one of its meshes");
   }
   CHECK_EQUAL(check::contentOf(desk.file("a mesh.obj")), mesh);
@@ -120,12 +120,15 @@ TEST("wrong usage gives status 2 and leaves the old image alone") {
   checkFailure(desk.run(in + "-shadow"), 2, "did you mean '-shadows'?");
   checkFailure(desk.run(in + "-depth 1 1 d.tga"), 2, "differ");
   checkFailure(desk.run(in + "-normals ./out.tga"), 2, "different files");
-  checkFailure(desk.run("-input scene.txt -output scene.txt"), 2, "different files");
+  desk.write("scene.tga", check::smallScene());
+  checkFailure(desk.run("-input scene.tga -output scene.tga"), 2, "different files");
+  checkFailure(desk.run("-input scene.txt -output out.jpg"), 2,
+               "one of .tga, .png, .bmp, .ppm, .pfm");
   checkFailure(desk.run("-input scene.txt"), 2, "-output");
   checkFailure(desk.run("-output out.tga"), 2, "-input");
   CHECK_EQUAL(check::contentOf(desk.file("out.tga")), "old");
   CHECK_EQUAL(check::contentOf(desk.file("scene.txt")), check::smallScene());
-  CHECK_EQUAL(desk.fileCount(), std::size_t(2));
+  CHECK_EQUAL(desk.fileCount(), std::size_t(3));
 }
 
 TEST("a scene mistake gives status 3 with file and line and leaves the old image alone") {

@@ -153,7 +153,7 @@ TEST("a mesh's face index that is 0 or out of range is named with the mesh's lin
   checkMesh(corners + "f 1 2 0\n", 4, {"'0'"});
   checkMesh(corners + "f 1 2 4\n", 4, {"'4'"});
   checkMesh(corners + "f 1 2 -4\n", 4, {"'-4'"});
-  checkMesh(corners + "f 1 2\n", 4, {});
+  checkMesh(corners + "f\n", 4, {});
   checkMesh(corners + "f 1 2 x\n", 4, {"'x'"});
   checkMesh("v 0 0\n", 1, {});
   checkMesh("v 0 0 1,5\n", 1, {"'1,5'"});

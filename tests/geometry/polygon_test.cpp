@@ -2,8 +2,8 @@
 #include "geometry/polygon.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "check.h"
 #include "math/functions.h"
@@ -197,9 +197,9 @@ TEST("an outline of 10,000 corners takes less than a second") {
   Random random(5);
   const Outline outline = star(10000, random);
   std::vector<OutlineTriangle> triangles;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   CHECK(cutOutline(outline, triangles) == OutlineShape::concave);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  CHECK(seconds.count() < kPatience);
+  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+  CHECK(seconds < kPatience);
   CHECK_EQUAL(triangles.size(), std::size_t(9998));
 }

@@ -269,15 +269,12 @@ TEST("compression and filter methods other than 0 are an error") {
   checkFault(picture(0, 2), "expected compression and filter method 0, found 0 and 2");
 }
 
-TEST("what is not supported says so") {
-  checkFault(pngFile({header(1, 1, 16, 2), imageData({0}), end()}),
-             "16 bits per sample are not supported");
-  for (const unsigned depth : {1u, 2u, 4u}) {
-    checkFault(pngFile({header(1, 1, depth, 0), imageData({0, 0}), end()}),
-               std::to_string(depth) + " bits per sample are not supported");
+TEST("samples of a depth that the colour type does not have are a mistake") {
+  for (const auto& [depth, colorType] :
+       {std::pair(3u, 0u), {16u, 3u}, {4u, 2u}, {1u, 4u}, {2u, 6u}, {32u, 0u}, {0u, 0u}}) {
+    checkFault(pngFile({header(1, 1, depth, colorType), imageData({0, 0}), end()}),
+               "do not fit colour type " + std::to_string(colorType));
   }
-  checkFault(pngFile({header(1, 1, 8, 0, 1), imageData({0, 0}), end()}),
-             "interlaced PNG images are not supported");
   checkFault(pngFile({header(1, 1, 8, 0, 2), imageData({0, 0}), end()}), "interlace method");
   for (const unsigned colorType : {1u, 5u, 7u}) {
     checkFault(pngFile({header(1, 1, 8, colorType), imageData({0, 0}), end()}),
@@ -347,4 +344,46 @@ TEST("the reference pictures are read") {
     ++count;
   }
   CHECK(count >= 16);
+}
+
+TEST("samples of 1, 2, 4 and 16 bits become the nearest bytes") {
+  // 1 0 1 1 0 0 0 0, then one more bit: 1.
+  CHECK_EQUAL(decode(pngFile({header(9, 1, 1, 0), imageData({0, 0xB0, 0x80}), end()})),
+              "255 255 255, 0 0 0, 255 255 255, 255 255 255, 0 0 0, 0 0 0, 0 0 0, 0 0 0, "
+              "255 255 255");
+  CHECK_EQUAL(decode(pngFile({header(3, 1, 2, 0), imageData({0, 0x1B}), end()})),
+              "0 0 0, 85 85 85, 170 170 170");
+  CHECK_EQUAL(decode(pngFile({header(3, 1, 4, 0), imageData({0, 0x2F, 0x10}), end()})),
+              "34 34 34, 255 255 255, 17 17 17");
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 4, 3), chunk("PLTE", {1, 2, 3, 4, 5, 6}),
+                              imageData({0, 0x10}), end()})),
+              "4 5 6, 1 2 3");
+  // 0x8080 / 257 = 128; 0x0080 / 257 = 0.498; 0x0081 / 257 = 0.502.
+  CHECK_EQUAL(
+      decode(pngFile({header(1, 1, 16, 2), imageData({0, 0x80, 0x80, 0, 0x80, 0, 0x81}), end()})),
+      "128 0 1");
+  CHECK_EQUAL(decode(pngFile({header(1, 1, 16, 4), imageData({0, 0xFF, 0xFF, 1, 2}), end()})),
+              "255 255 255");
+  FloatImage exact;
+  decodePng(pngFile({header(1, 1, 16, 0), imageData({0, 0x40, 0x00}), end()}), "a.png", &exact);
+  CHECK_EQUAL(exact.getPixel(0, 0).r(), 16384.0f / 65535);
+}
+
+TEST("filters of samples of 16 bits go back by whole pixels, of small ones by a byte") {
+  // Filter 1 adds the pixel to the left: two bytes before, or one.
+  CHECK_EQUAL(decode(pngFile({header(2, 1, 16, 0), imageData({1, 0x10, 0, 0x20, 0}), end()})),
+              "16 16 16, 48 48 48");
+  CHECK_EQUAL(decode(pngFile({header(4, 1, 4, 0), imageData({1, 0x12, 0x12}), end()})),
+              "17 17 17, 34 34 34, 34 34 34, 68 68 68");
+}
+
+TEST("an interlaced picture comes in seven passes") {
+  // 3 x 3 grey pixels, numbered in reading order. Pass 1: (0, 0); 2 and 3: none, as they begin at
+  // 4; 4: (2, 0); 5: (0, 2), (2, 2); 6: (1, 0), (1, 2); 7: row 1.
+  CHECK_EQUAL(decode(pngFile({header(3, 3, 8, 0, 1),
+                              imageData({0, 1, 0, 3, 0, 7, 9, 0, 2, 0, 8, 0, 4, 5, 6}), end()})),
+              "1 1 1, 2 2 2, 3 3 3 / 4 4 4, 5 5 5, 6 6 6 / 7 7 7, 8 8 8, 9 9 9");
+  CHECK_EQUAL(decode(pngFile({header(1, 1, 1, 0, 1), imageData({0, 0x80}), end()})), "255 255 255");
+  checkFault(pngFile({header(3, 3, 8, 0, 1), imageData({0, 1, 0, 3}), end()}),
+             "expected 15 bytes of image data, found 4");
 }

@@ -1,5 +1,6 @@
 // Warnings of what is legal and probably a mistake: each kind where it is due, and nowhere else.
 #include <algorithm>
+#include <cmath>
 
 #include "check.h"
 #include "random.h"

@@ -79,14 +79,15 @@ TEST("concave faces anywhere in a file are cut, in chunks of any size") {
 
 TEST("what crosses itself stays a fan, and is named once with its line") {
   const Reading bow("v 0 0 0\nv 2 3 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n# \nf 1 2 3 4\n");
-  CHECK(bow.says("has 2 faces that cross themselves or are too long, the first in line 5"));
+  CHECK(
+      bow.says("has 2 faces that cannot be cut into triangles rightly, as the outline crosses "
+               "itself, the first in line 5"));
   CHECK_EQUAL(bow.scene->getSpan(), 3.0);
 }
 
 TEST("faces of one or two corners are left out with one warning") {
   const Reading mesh(kDoor + "f 1 2\nf 1 2 3\nf 3\nf 2 1\n");
-  CHECK(
-      mesh.says("has 3 faces of less than three corners, which are left out, the first in line 9"));
+  CHECK(mesh.says("has 3 faces of less than three corners, left out, the first in line 9"));
   CHECK(mesh.isHit(2.5, 1));
   // An index that is wrong stays a mistake.
   CHECK(Reading(kDoor + "f 1 99\n").says("out of range"));
@@ -140,4 +141,21 @@ TEST("a face of 10,000 corners on one line takes less than a second") {
   const Reading comb(text + face + "\n");
   CHECK_EQUAL(comb.said, "");
   CHECK(comb.isHit(100, 0.7) && !comb.isHit(101, 0.7) && comb.isHit(101, 1.2));
+}
+
+TEST("a mesh whose name has blanks stands in quotes, and without them the message says so") {
+  const std::string path = scenes::write("a \"b\" c.obj", kDoor + "f 1 2 3\n");
+  std::string name = scenes::lastPart(path), escaped;
+  for (const char c : name) escaped += c == '"' ? std::string("\\\"") : std::string(1, c);
+  const auto scene = scenes::parse(scenes::around("TriangleMesh { obj_file \"" + escaped + "\" }"));
+  CHECK_EQUAL(scene->getSpan(), 3.0);
+  CHECK_MISTAKE(scenes::around("TriangleMesh { obj_file Stanford Bunny.obj }"), 5, "in quotes");
+  CHECK_MISTAKE(scenes::around("TriangleMesh { obj_file \"Stanford Bunny.obj }"), 5, "ends in");
+  std::remove(path.c_str());
+}
+
+TEST("a scene in UTF-16 is said to be that") {
+  std::string wide = "\xff\xfe";
+  for (const char c : scenes::around("")) wide += std::string(1, c) + '\0';
+  CHECK_MISTAKE(wide, 1, "UTF-16");
 }

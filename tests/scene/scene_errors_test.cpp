@@ -178,7 +178,7 @@ TEST("one camera is required, and sections may not stand twice") {
   CHECK_MISTAKE(kStart + "Materials { numMaterials 0 }", 4, "a second Materials");
   CHECK_MISTAKE(kStart + "Background { }\nBackground { }", 5, "a second Background");
   CHECK_MISTAKE(kCamera + "Group { numObjects 0 }\nMaterials { numMaterials 0 }", 3,
-                "Materials before the first Group");
+                "Materials must come before the first Group");
 }
 
 TEST("singular transforms name the step") {

@@ -1,6 +1,8 @@
 // Lights: direction to the light, distance, colour and attenuation.
 #include "shading/light.h"
 
+#include <cmath>
+
 #include "vectors.h"
 
 namespace {
@@ -59,4 +61,21 @@ TEST("at a point light's own position the direction is zero") {
   const Illumination here(PointLight({1, 2, 3}, {1, 1, 1}, {1, 0, 0}), {1, 2, 3});
   CHECK_EQUAL(here.direction, Vec3d());
   CHECK_EQUAL(here.distance, 0.0);
+}
+
+TEST("a light whose attenuation is not above 0 adds nothing, and none is more than a float holds") {
+  const auto colorAt = [](const Vec3d& attenuation, double distance) {
+    Vec3d direction;
+    Vec3f color;
+    double found = 0;
+    PointLight({0, 0, 0}, {1, 0, 2}, attenuation)
+        .getIllumination({distance, 0, 0}, direction, color, found);
+    return color;
+  };
+  CHECK(colorAt({0, 0, 0}, 1) == Vec3f() && colorAt({-1, 0, 0}, 1) == Vec3f());
+  CHECK(colorAt({0, 0, 1}, 0) == Vec3f());
+  CHECK(colorAt({1, -1, 0}, 1) == Vec3f());
+  CHECK(colorAt({1, -1, 0}, 0.5) == Vec3f(2, 0, 4));
+  const Vec3f near = colorAt({0, 0, 1}, 1e-30);
+  CHECK(std::isfinite(near.r()) && near.g() == 0 && std::isfinite(near.b()));
 }
