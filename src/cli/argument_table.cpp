@@ -21,9 +21,9 @@ constexpr const char* kList = R"(Reading:
 
 Pictures:
   -output FILE           image to write; the ending picks the format: .tga,
-                         .png, .ppm or .pfm, and TGA where it is missing or
-                         unknown; so it does for the other images; - is standard
-                         output, for one image of a run
+                         .png, .bmp, .ppm or .pfm, and TGA where it is missing;
+                         so it does for the other images; - is standard output,
+                         for one image of a run
   -size W H              image size, 1 to 65535 pixels each (default: 100 100)
   -depth MIN MAX FILE    write the depth image, white at distance MIN and black
                          at MAX; FILE MIN MAX, where FILE does not look like a
@@ -46,7 +46,8 @@ Tracing:
                          starts looking: a number of at least 0; course, which
                          is 0.001; or adaptive, from the size of the numbers at
                          the hit (default: course where the bounded objects
-                         together span 1 to 1000 units, else adaptive)
+                         together span 1 to 1000 units and no glass is thinner
+                         than that, else adaptive)
 
 Samples in a pixel:
   -random_samples N      N rays at random places in each pixel, 1 to 65536

@@ -73,7 +73,7 @@ LIGHTS
   position    V  where the lamp is
   color       V
   attenuation A B C  at distance s the colour is divided by A + B s + C s^2;
-                 left out: 1 0 0
+                 left out: 1 0 0; where that is not above 0 no light arrives
 
 A scene without any lights is shown in white ambient light, with a warning.
 
@@ -155,10 +155,14 @@ MESHES
 The file is looked up beside the scene file, then in the current folder, then by
 the last part of its name beside the scene file (\ and / both separate); it is
 read once, however often it is named. Of an OBJ file the statements v and f
-count. Faces have any number of corners and are cut into triangles from the
-first one; a corner is written a, a/b, a//c or a/b/c; negative indices count
+count. Faces have any number of corners: convex ones are cut into triangles from
+the first corner, all others so that they cover their own area once, with holes
+that a slit joins to the outline too; what crosses itself is cut from the first
+corner, with a warning. Faces of one or two corners are left out, with a
+warning. A corner is written a, a/b, a//c or a/b/c; negative indices count
 backwards from the last vertex so far. A vertex may come after the face that
-names it; \ at a line's end continues the line; all else is passed over.
+names it; \ at a line's end continues the line; all else is passed over. A name
+with blanks stands in quotes, obj_file "a b.obj", in which \" is a quote.
 
 OLDER SCENES
 Those of the course are read too: num_objects for numObjects, diffuse_color for
@@ -460,10 +464,13 @@ The ending of an image's name picks its format, in small letters or capitals:
   .png  PNG, compressed by code of our own; 8 bits a sample: RGB, or a palette
         where there are at most 256 colours
   .ppm  PPM (P6)
+  .bmp  BMP, 24 bits, not compressed, bottom row first
   .pfm  PFM: three floats a pixel, little-endian, bottom row first, not clamped,
         so that colours above 1 and below 0 are kept (a -depth image in PFM goes
-        beyond 0 and 1 too)
-Any other name gives a TGA. Several images may be asked for in one run: each ray
+        beyond 0 and 1 too; where nothing is hit it is -infinity, or infinity
+        where MIN is above MAX)
+A name without an ending gives a TGA; any other ending is wrong usage, so that
+no TGA is called out.jpg. Several images may be asked for in one run: each ray
 is then cast only once, but for -heatmap and -pixel, which trace theirs again.
 
 ALL OR NOTHING
@@ -710,14 +717,19 @@ which are read a second time. To try it:
   raytracer -compare EXPECTED ACTUAL [-tolerance N] [-fail_percent P]
             [-diff FILE] [-report FILE.html] [-csv FILE]
 
-reads two pictures (TGA of types 1, 2, 3, 9, 10, 11; PNG of 8 bits, not
-interlaced; PPM, PGM, PFM: by their content, whatever they are called) and
+reads two pictures (TGA of types 1, 2, 3, 9, 10, 11; PNG of any kind; BMP of 8,
+24 and 32 bits; PPM, PGM, PFM: by their content, whatever they are called) and
 prints, one line each: size, maximum, mean, rms, psnr, the pixels over the
 tolerance, the worst pixel and the box around those over the tolerance (X Y
 WIDTH HEIGHT, from the top left). A pixel is over the tolerance when one of its
 three samples differs by more than N levels of 255. Mean is the mean of all
 |expected - actual|, rms the root of the mean of their squares, psnr is
 20 log10(255 / rms), inf for equal pictures. Alpha is not looked at.
+
+Where both files have more than 8 bits a sample (PFM; PNG and PPM of 16 bits),
+floats are compared: a difference of d is 255 d levels where the expected sample
+is at most 1 in size, and 255 d / |expected| above. NaN differs from all but
+NaN, and an infinity from all but itself, by infinity.
 
 Exit status: 0 the same (at most P percent of the pixels are over the
 tolerance), 1 different (another size is different) or an output failed, 2 wrong
@@ -728,12 +740,13 @@ Two folders are compared picture by picture, folders inside them too. A picture
 belongs to the one of the same path, or else to the one whose path is the same
 but for the ending: sub/a.tga and sub/a.png. A picture without partner is a
 difference, and is listed. -csv adds a row for each pair to the file, so that
-many runs can fill one table, at the same time too. -report writes one HTML page
-that needs nothing from outside: both pictures and their difference 16 times
-enlarged, a slider that wipes from one to the other, and a button that blinks
-between them; the worst pair comes first. Tab, arrows and the space bar do all
-that the mouse does; n and p go to the next and previous pair. An output may be
-none of the pictures compared, and standard output only with -quiet.
+many runs can fill one table, at the same time too; its last column, given, is
+ACTUAL as the command has it: whose picture is missing. -report writes one HTML
+page that needs nothing from outside: both pictures and their difference 16
+times enlarged, a slider that wipes from one to the other, and a button that
+blinks between them; the worst pair comes first. Tab, arrows and the space bar
+do all that the mouse does; n and p go to the next and previous pair. An output
+may be none of the pictures compared, and standard output only with -quiet.
 
 A TABLE OF COMMANDS
 Where EXPECTED is a folder and ACTUAL a file, the file is a table of commands.
@@ -792,7 +805,10 @@ EPSILON
 -epsilon is how far along its unit direction a secondary or shadow ray starts to
 look. course, which is 0.001, gives the published pictures exactly; it is too
 large or too small for scenes of other sizes. adaptive follows the size of the
-numbers at the hit: no absolute constant is in it.
+numbers at the hit: no absolute constant is in it. Glass thinner than the
+constant makes adaptive the default too, and where -epsilon says otherwise a
+warning tells of it: the thickness of a closed transparent object is the
+shortest side of its own box as its Transforms stretch it.
 )"},
 };
 
