@@ -1,5 +1,8 @@
 // Parts of pictures: -region and -tile give the whole picture's bytes, -merge puts them together.
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "check.h"
 #include "cli/arguments.h"
@@ -260,4 +263,33 @@ TEST("a region lies in the picture, and a picture has no more tiles than rows") 
     words.insert(words.end(), inspection.begin(), inspection.end());
     CHECK(contains(mistake(words), "-region cannot be given together with -materials"));
   }
+}
+
+TEST("most parts say which picture it is, and the odd one is named, be it the first") {
+  const Desk desk;
+  for (int i = 1; i <= 4; ++i) {
+    const std::string k = std::to_string(i);
+    const std::string bounces = i == 1 ? " -bounces 4" : "";
+    CHECK_EQUAL(desk.run(kSize + bounces + " -output p" + k + ".tga -tile " + k + " 4").status, 0);
+  }
+  const std::string message = refusal(desk, "p1.tga p2.tga p3.tga p4.tga");
+  CHECK(contains(message, "p1.tga: expected a part of the same picture as p2.tga"));
+  CHECK_EQUAL(std::count(message.begin(), message.end(), '\n'), 1);
+}
+
+TEST("a miss in a depth picture of floats lies behind every distance") {
+  const Desk desk;
+  CHECK_EQUAL(desk.run("-input scene.txt -size 4 4 -depth 1 9 d.pfm -quiet").status, 0);
+  CHECK_EQUAL(desk.run("-input scene.txt -size 4 4 -depth 9 1 e.pfm -quiet").status, 0);
+  // A corner pixel misses the ball; floats stand behind the head, low byte first.
+  const auto firstFloat = [&](const char* name) {
+    const std::string bytes = check::contentOf(desk.file(name));
+    float value = 0;
+    std::memcpy(&value, bytes.data() + bytes.find("-1\n") + 3, sizeof value);
+    return value;
+  };
+  CHECK_EQUAL(firstFloat("d.pfm"), -std::numeric_limits<float>::infinity());
+  CHECK_EQUAL(firstFloat("e.pfm"), std::numeric_limits<float>::infinity());
+  CHECK_EQUAL(desk.run("-compare d.pfm d.pfm").status, 0);
+  CHECK_EQUAL(desk.run("-compare d.pfm e.pfm").status, 1);
 }

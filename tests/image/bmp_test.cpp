@@ -115,3 +115,27 @@ TEST("what is wrong or not supported is told") {
     CHECK(!faultOf(Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(size))).empty());
   }
 }
+
+TEST("files with changed bytes are read or refused, and never ask for more than they hold") {
+  Random random(11);
+  const Bytes palette = {3, 2, 1, 0, 6, 5, 4, 0};
+  const Bytes files[] = {with(heads(2, 2, 24), Bytes(16)), with(heads(3, 2, 32), Bytes(24)),
+                         with(heads(3, 1, 8, palette, 0, 2), Bytes(4))};
+  int read = 0;
+  for (int i = 0; i < 30000; ++i) {
+    Bytes bytes = files[random.index(3)];
+    for (int change = random.index(4); change >= 0; --change) {
+      bytes[std::size_t(random.index(int(bytes.size())))] = std::uint8_t(random.index(256));
+    }
+    bytes.resize(std::size_t(random.index(int(bytes.size()) + 1)) |
+                 (bytes.size() & ~std::size_t(3)));
+    if (!isBmp(bytes)) continue;
+    try {
+      const Image image = decodeBmp(bytes, "a.bmp");
+      ++read;
+      CHECK(std::size_t(image.Width()) * std::size_t(image.Height()) <= bytes.size());
+    } catch (const ImageError&) {
+    }
+  }
+  CHECK(read > 1000);
+}
