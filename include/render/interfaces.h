@@ -40,7 +40,7 @@ class Interfaces {
   }
 
  private:
-  class Walk;
+  struct Walk;
 
   bool dependsOnMedia(const Hit& hit) const;
   double reachOf(const Hit& hit) const;

@@ -4,11 +4,10 @@
 // hit, is asked for all its crossings (Media). What fills the line just before and just behind the
 // hit are the two sides. Where both are the inside of one object, the surface is not there, and the
 // ray is asked again for what lies behind it; its line stays the same.
-// Rays of a table take each of these steps together.
+// Rays of a table take each of these steps together; a single ray is a table of one.
 #include "render/interfaces.h"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 #include "render/media.h"
@@ -26,10 +25,6 @@ bool anyTransparent(const SceneParser& scene) {
 
 Interface::Side sideOf(const Media::Medium& medium, const Hit& hit) {
   return {medium.object == hit.getObject(), medium.indexAt(hit.getIntersectionPoint())};
-}
-
-double approachOf(const Ray& ray, const Hit& hit) {
-  return dot(hit.getNormal(), ray.getDirection());
 }
 
 /// The product, in an order that does not depend on the order of visits.
@@ -51,173 +46,161 @@ Interfaces::Interfaces(const SceneParser& scene, const Object3D& geometry, const
       tracksMedia_((shader.options().fresnel || shader.options().nestedDielectrics) &&
                    anyTransparent(scene)) {}
 
-bool Interfaces::intersect(const Ray& ray, double tmin, Hit& hit, Interface& interface,
-                           std::vector<Hit>* passed) const {
-  const double tmax = hit.getT();
-  std::optional<Media> media;
-  double start = 0;  // of the line, on the ray
-  for (; geometry_->intersect(ray, hit, tmin); hit = Hit(tmax)) {
-    interface = plainInterface(approachOf(ray, hit));
-    if (!tracksMedia_ || !dependsOnMedia(hit)) return true;
-    if (!media) {
-      media.emplace(solids_);
-      start = hit.getT() - reachOf(hit);
-      geometry_->visitCrossings(Ray(ray.pointAtParameter(start), ray.getDirection()), *media);
-      media->finish();
-    }
-    std::vector<ColorFilter> filters;
-    if (isThere(*media, start, hit, interface, filters)) {
-      std::vector<Vec3f> tints;
-      for (const ColorFilter& filter : filters) tints.push_back(filter.tint());
-      interface.tint = productOf(tints);
-      return true;
-    }
-    if (passed) passed->push_back(hit);
-    tmin = hit.getT();
-  }
-  return false;
-}
+/// The rays of a table on their way. Nothing is owned.
+struct Interfaces::Walk {
+  const Interfaces& interfaces;
+  const BatchGeometry& batches;
+  const RayTable& rays;
+  HitTable& hits;
+  Interface* found;
+  Arena& arena;
+  double tmax;               // of all rays
+  std::vector<Hit>* passed;  // surfaces that were not there; may be null
 
-/// The rays of a table on their way: line `k` belongs to ray rows_[k].
-class Interfaces::Walk {
- public:
-  Walk(const Interfaces& interfaces, const BatchGeometry& batches, const RayTable& rays,
-       HitTable& hits, Interface* found, Arena& arena)
-      : interfaces_(interfaces),
-        batches_(batches),
-        rays_(rays),
-        hits_(hits),
-        found_(found),
-        arena_(arena),
-        lines_(arena, rays.count, false),
-        rows_(arena.take<std::uint16_t>(std::size_t(rays.count))),
-        open_(arena.take<std::uint16_t>(std::size_t(rays.count))),
-        media_(interfaces.solids_) {
-    lines_.count = 0;
-  }
+  // The line of ray rows[k] is row k; its tmin tells where on the ray it starts.
+  RayTable lines{arena, rays.count, false};
+  std::uint16_t* rows = arena.take<std::uint16_t>(std::size_t(rays.count));
+  // The lines on which no surface has been found yet that is there.
+  std::uint16_t* open = arena.take<std::uint16_t>(std::size_t(rays.count));
+  int openCount = 0;
 
   void run() {
-    for (int row = 0; row < rays_.count; ++row) {
-      if (hits_.isFound(row) && dependsOnMedia(row)) addLine(row);
+    batches.intersectAll(rays, hits, arena);
+    lines.count = 0;
+    for (int row = 0; row < rays.count; ++row) {
+      if (hits.isFound(row) && dependsOnMedia(row)) addLine(row);
     }
     // Objects count that reach as far as the places on both sides of the hit. Where the surface is
-    // not there, all may count.
+    // not there, all may count, as long as the ray goes on.
     for (const bool isWhole : {false, true}) {
       if (isWhole) keepOpenLines();
-      if (lines_.count == 0) return;
-      CrossingTable crossings(lines_.count);
-      batches_.visitAllCrossings(lines_, crossings, arena_);
-      ColorFilterTable filters(arena_, crossings.size());
-      openCount_ = lines_.count;
-      do {
-        keepHidden(crossings, filters);
+      if (lines.count == 0) return;
+      CrossingTable crossings(lines.count);
+      batches.visitAllCrossings(lines, crossings, arena);
+      ColorFilterTable filters(arena, crossings.size());
+      openCount = lines.count;
+      // A line whose surface is there need not be kept in mind.
+      const auto kept = isWhole ? std::size_t(lines.count) : 1;
+      std::vector<Media> media(kept, Media(interfaces.solids_));
+      for (bool isFirst = true; openCount > 0 && (isWhole || isFirst); isFirst = false) {
+        keepHidden(isFirst ? &crossings : nullptr, media, filters);
         goOn();
-      } while (isWhole && openCount_ > 0);
+      }
       setTints(filters);
     }
   }
 
- private:
-  Hit hitOf(int row) const { return hits_.hitOf(row, rays_.tmax[row]); }
+  Hit hitOf(int row) const { return hits.hitOf(row, rays.tmax[row]); }
 
   /// Whether more than the surface's own medium counts at what ray `row` has met; at first that
   /// alone is stored.
   bool dependsOnMedia(int row) {
     const Hit hit = hitOf(row);
-    found_[row] = plainInterface(dot(hit.getNormal(), rays_.directionOf(row)));
-    return interfaces_.dependsOnMedia(hit);
+    found[row] = plainInterface(dot(hit.getNormal(), rays.directionOf(row)));
+    return interfaces.dependsOnMedia(hit);
   }
-  /// The line of ray `row` stands in lines_; its tmin tells where on the ray it starts.
   void addLine(int row) {
     const Hit hit = hitOf(row);
-    const Ray ray = rays_.rayOf(row);
-    const double reach = interfaces_.reachOf(hit), start = hit.getT() - reach;
-    lines_.setRow(lines_.count, Ray(ray.pointAtParameter(start), ray.getDirection()), start,
-                  4 * reach);
-    open_[lines_.count] = std::uint16_t(lines_.count);
-    rows_[lines_.count++] = std::uint16_t(row);
+    const Ray ray = rays.rayOf(row);
+    const double reach = interfaces.reachOf(hit), start = hit.getT() - reach;
+    lines.setRow(lines.count, Ray(ray.pointAtParameter(start), ray.getDirection()), start,
+                 4 * reach);
+    open[lines.count] = std::uint16_t(lines.count);
+    rows[lines.count++] = std::uint16_t(row);
   }
 
-  /// Leaves the open lines alone in lines_, for all that lies on them.
+  /// Leaves the open lines alone in lines, for all that lies on them.
   void keepOpenLines() {
-    for (int k = 0; k < openCount_; ++k) {
-      const int line = open_[k];
-      lines_.setRow(k, lines_.rayOf(line), lines_.tmin[line], Hit().getT());
-      rows_[k] = rows_[line];
-      open_[k] = std::uint16_t(k);
+    for (int k = 0; k < openCount; ++k) {
+      const int line = open[k];
+      lines.setRow(k, lines.rayOf(line), lines.tmin[line], Hit().getT());
+      rows[k] = rows[line];
+      open[k] = std::uint16_t(k);
     }
-    lines_.count = openCount_;
+    lines.count = openCount;
   }
 
   /// Finds what lies on both sides of what the open lines have met; those stay open on which it is
-  /// not there.
-  void keepHidden(const CrossingTable& crossings, ColorFilterTable& filters) {
+  /// not there. `media` are those of each line, or of one after the other; they are told the
+  /// crossings, where these are not null.
+  void keepHidden(const CrossingTable* crossings, std::vector<Media>& media,
+                  ColorFilterTable& filters) {
     int count = 0;
-    for (int k = 0; k < openCount_; ++k) {
-      const int line = open_[k], row = rows_[line];
-      media_.begin();
-      crossings.tell(line, media_);
-      media_.finish();
-      ofOne_.clear();
-      if (!interfaces_.isThere(media_, lines_.tmin[line], hitOf(row), found_[row], ofOne_)) {
-        open_[count++] = std::uint16_t(line);
+    std::vector<ColorFilter> ofOne;
+    for (int k = 0; k < openCount; ++k) {
+      const int line = open[k], row = rows[line];
+      Media& ofLine = media[media.size() == 1 ? 0 : std::size_t(line)];
+      if (crossings) {
+        ofLine.begin();
+        crossings->tell(line, ofLine);
+        ofLine.finish();
+      }
+      ofOne.clear();
+      if (!interfaces.isThere(ofLine, lines.tmin[line], hitOf(row), found[row], ofOne)) {
+        open[count++] = std::uint16_t(line);
+        if (passed) passed->push_back(hitOf(row));
       } else {
-        for (const ColorFilter& filter : ofOne_) filters.add(filter, row);
+        for (const ColorFilter& filter : ofOne) filters.add(filter, row);
       }
     }
-    openCount_ = count;
+    openCount = count;
   }
 
   /// Finds what the rays of open lines meet next; those stay open where that depends on media.
   void goOn() {
-    const Arena::Frame frame(arena_);
-    RayTable next(arena_, openCount_, rays_.source != nullptr);
-    HitTable hits(arena_, openCount_);
-    for (int k = 0; k < openCount_; ++k) {
-      const int row = rows_[open_[k]];
-      next.setRow(k, rays_.rayOf(row), rays_.tmax[row], Hit().getT());
+    const Arena::Frame frame(arena);
+    RayTable next(arena, openCount, rays.source != nullptr);
+    HitTable nextHits(arena, openCount);
+    for (int k = 0; k < openCount; ++k) {
+      const int row = rows[open[k]];
+      next.setRow(k, rays.rayOf(row), rays.tmax[row], tmax);
     }
-    batches_.intersectAll(next, hits, arena_);
+    batches.intersectAll(next, nextHits, arena);
     int count = 0;
-    for (int k = 0; k < openCount_; ++k) {
-      const int row = rows_[open_[k]];
-      rays_.tmax[row] = next.tmax[k];
-      hits_.setRow(row, hits.hitOf(k, next.tmax[k]), hits.order[k]);
-      if (hits_.isFound(row) && dependsOnMedia(row)) open_[count++] = open_[k];
+    for (int k = 0; k < openCount; ++k) {
+      const int row = rows[open[k]];
+      rays.tmax[row] = next.tmax[k];
+      hits.setRow(row, nextHits.hitOf(k, next.tmax[k]), nextHits.order[k]);
+      if (hits.isFound(row) && dependsOnMedia(row)) open[count++] = open[k];
     }
-    openCount_ = count;
+    openCount = count;
   }
 
   void setTints(const ColorFilterTable& filters) {
-    waveKernels(batches_.simdLevel()).absorb(filters);
+    waveKernels(batches.simdLevel()).absorb(filters);
+    std::vector<Vec3f> tints;
     for (int k = 0; k < filters.count;) {
       const int row = filters.row[k];
-      std::vector<Vec3f> tints;
+      tints.clear();
       for (; k < filters.count && filters.row[k] == row; ++k) {
         tints.emplace_back(rowOf(filters.color, k));
       }
-      found_[row].tint = productOf(tints);
+      found[row].tint = productOf(tints);
     }
   }
-
-  const Interfaces& interfaces_;
-  const BatchGeometry& batches_;
-  const RayTable& rays_;
-  HitTable& hits_;
-  Interface* const found_;
-  Arena& arena_;
-  RayTable lines_;
-  std::uint16_t *const rows_, *const open_;
-  int openCount_ = 0;
-  Media media_;                     // of one line after the other
-  std::vector<ColorFilter> ofOne_;  // likewise
 };
+
+bool Interfaces::intersect(const Ray& ray, double tmin, Hit& hit, Interface& interface,
+                           std::vector<Hit>* passed) const {
+  if (!tracksMedia_) {
+    if (!geometry_->intersect(ray, hit, tmin)) return false;
+    interface = plainInterface(dot(hit.getNormal(), ray.getDirection()));
+    return true;
+  }
+  Arena arena;
+  RayTable rays(arena, 1, true);
+  rays.setRow(0, ray, tmin, hit.getT());
+  HitTable hits(arena, 1);
+  Walk{*this, RayByRay(*geometry_), rays, hits, &interface, arena, hit.getT(), passed}.run();
+  if (!hits.isFound(0)) return false;
+  hit = hits.hitOf(0, rays.tmax[0]);
+  return true;
+}
 
 void Interfaces::intersectAll(const BatchGeometry& batches, const RayTable& rays, HitTable& hits,
                               Interface* found, Arena& arena) const {
-  batches.intersectAll(rays, hits, arena);
   const Arena::Frame frame(arena);
-  Walk(*this, batches, rays, hits, found, arena).run();
+  Walk{*this, batches, rays, hits, found, arena, Hit().getT(), nullptr}.run();
 }
 
 /// Whether `hit` asks for all that lies along the ray. What is far from all solids has air around.

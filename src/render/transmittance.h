@@ -52,7 +52,9 @@ std::optional<Blocker> findBlocker(const Object3D& geometry, const ShadowQuery& 
 /// The crossings of all rays of a table, to be gone through row by row.
 class CrossingTable : public RowCrossingVisitor {
  public:
-  explicit CrossingTable(int rows) : last_(std::size_t(rows), -1) {}
+  explicit CrossingTable(int rows) : last_(std::size_t(rows), -1) {
+    crossings_.reserve(4 * std::size_t(rows));  // few rays meet more
+  }
   void visit(int row, const Crossing& crossing) override {
     crossings_.push_back({crossing, last_[std::size_t(row)]});
     last_[std::size_t(row)] = int(crossings_.size()) - 1;
