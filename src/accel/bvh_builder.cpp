@@ -151,8 +151,8 @@ class WideNodeBuilder {
     for (int i = 0; i < children.count; ++i) {  // nodes of one parent lie side by side
       if (!isLeaf(children.nodes[i])) target.child[i] = std::uint32_t(bvh_.nodeCount++);
     }
-    for (int i = 0; i < children.count;
-         ++i) {  // in the order of the items: leaves are placed by it
+    // In the order of the items: leaves are placed by it.
+    for (int i = 0; i < children.count; ++i) {
       if (isLeaf(children.nodes[i])) {
         place_ = leaves_.offsetOf(leaf_++, place_);
         target.child[i] = place_ | kLeafBit;

@@ -1,8 +1,7 @@
 // WaveTracer: the light that comes to the surfaces of a table from each lamp of the scene.
 //
-//   1. sampleLight: which surfaces are turned towards the light, and a shadow ray from each of
-//   them;
-//      these are a table of their own, in the order of the surfaces.
+//   1. sampleLight: which surfaces are turned towards the light, and a shadow ray from each; these
+//      rays are a table of their own, in the order of the surfaces.
 //   2. findVisible: the rays are asked together what is in their way. Rows of which nothing arrives
 //      drop out; with tinted shadows the colour becomes what does.
 //   3. reflect: each group of one material adds to its surfaces' sums what they send back.

@@ -1,15 +1,11 @@
 // CellLists: counts what each cell will hold, then fills one array for all of them.
 //
-//   1. The scene is cut into items: objects, and runs of so many faces that
-//   there are not too many.
-//   2. The frame is the finest one, at most as fine as wanted, for which the
-//   boxes of all items,
+//   1. The scene is cut into items: objects, and runs of so many faces that there are not too many.
+//   2. The frame is the finest one, at most as fine as wanted, for which the boxes of all items,
 //      widened by the margin, do not overlap too many cells together.
-//   3. For each of those cells it is found out whether the item's surface can
-//   be there: the cell,
+//   3. For each of those cells it is found out whether the item's surface can be there: the cell,
 //      widened by the margin, meets the shape and is not all inside of a ball.
-//   4. A first pass over the answers counts the entries of each cell, a second
-//   one enters them,
+//   4. A first pass over the answers counts the entries of each cell, a second one enters them,
 //      behind each other in one array (a counting sort).
 #include "accel/grid/cell_lists.h"
 
