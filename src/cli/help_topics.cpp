@@ -769,6 +769,8 @@ folder of its own, and run
       -csv grades.csv -report "$(basename "$student").html" -quiet ||
       echo "$student: look at its report (status $?)"
   done
+The column given of grades.csv says whose row each is, of missing pictures too:
+  grep ',missing,' grades.csv
 
 Files that claim to hold enormous pictures are refused before memory is asked
 for: those that are too short for them, and beyond 2^26 pixels those with more
