@@ -173,7 +173,10 @@ void SceneReader::finish() {
   }
   if (in_.mistakeCount() == 0) {
     notes_.review(scene_, in_.brightColors());
-    findThinnestSolid(scene_.group_, Matrix());
+    const bool hasGlass =
+        std::any_of(scene_.materials_.begin(), scene_.materials_.end(),
+                    [](const auto& material) { return material->isTransparent(); });
+    if (hasGlass) findThinnestSolid(scene_.group_, Matrix());
   }
   scene_.warnings_ = notes_.inOrder();
 }
@@ -210,7 +213,9 @@ void SceneReader::findThinnestSolid(const Object3D& object, const Matrix& toWorl
   scene_.thinnest_ = {thickness, notes_.lineOf(&object)};
 }
 
+/// Found out once for each mesh, however often it is used.
 bool SceneReader::isClosed(const MeshGeometry& geometry) {
+  if (!examined_.insert(&geometry).second) return geometry.isClosed();
   for (const auto& mesh : scene_.meshes_) {
     if (mesh.get() == &geometry) mesh->findWhetherClosed();
   }

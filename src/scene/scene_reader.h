@@ -196,7 +196,8 @@ class SceneReader {
   MaterialReader materials_;
   ObjectReader objects_;
   const char* lightsAt_ = nullptr;
-  std::set<std::string_view> seen_;  // of what may stand once
+  std::set<std::string_view> seen_;         // of what may stand once
+  std::set<const MeshGeometry*> examined_;  // whether they are closed is known
   bool hasGroup_ = false;
   bool hasMisplaced_ = false;  // something outside all sections: it may be a section's broken name
 };

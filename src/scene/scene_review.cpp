@@ -282,13 +282,15 @@ double darkDistance(const Vec3d& a, double most) {
 /// Of point lights whose attenuation turns the light off, or would make it negative, somewhere in
 /// the scene.
 void SceneNotes::warnOfDarkLights(const SceneParser& scene) {
-  BoundingBox box;
-  scene.getGroup()->addBounds(Matrix(), box);
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   std::vector<Note> notes;
   for (int i = 0; i < scene.getNumLights(); ++i) {
     const auto* const light = dynamic_cast<const PointLight*>(scene.getLight(i));
-    if (!light) continue;
-    double farthest = std::numeric_limits<double>::infinity();
+    if (!light || !std::isfinite(darkDistance(light->getAttenuation(), kAnywhere))) continue;
+    // Seldom: only then are all objects walked through.
+    BoundingBox box;
+    scene.getGroup()->addBounds(Matrix(), box);
+    double farthest = kAnywhere;
     if (!box.isEmpty()) {
       const Vec3d place = light->getPosition();
       farthest = length(largest(box.high() - place, place - box.low()));
