@@ -76,6 +76,7 @@ struct RenderOptions {
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
   bool darkBacks = false;  ///< else a side seen from behind sends back no light, ambient or other
+  bool isAmbientPlain = false;     ///< ambient light meets the diffuse colour, not what replaces it
   bool nestedDielectrics = false;  ///< indices follow from what a ray is inside of, by priority
   bool fresnel = false;            ///< reflection follows from index and angle
   Epsilon epsilon;

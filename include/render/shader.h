@@ -17,10 +17,13 @@ class Shader {
   Shader(const SceneParser& scene, const RenderOptions& options);
 
   /// The ambient term: ambient light times diffuse colour. Of a dark side (isDark) there is none.
-  Vec3d ambient(const Material& material) const {
-    return Vec3d(scene_->getAmbientLight()) * Vec3d(material.getDiffuseColor());
-  }
   Vec3d ambient(const Surface& s) const;
+  /// The same of any side. `hit` counts where ambientMap() is not null.
+  Vec3d ambient(const Material& material, const Hit& hit) const;
+  /// What gives the diffuse colour in the ambient term; null where it is the same everywhere.
+  const DiffuseMap* ambientMap(const Material& material) const {
+    return options_.isAmbientPlain ? nullptr : material.getDiffuseMap();
+  }
 
   /// Light number `index` of the scene as the surface sees it. Made in place, as all that follows:
   /// a copy of what has just been written waits for the stores (0.88 of the time for a mesh of 1 M

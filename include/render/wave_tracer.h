@@ -44,6 +44,8 @@ class WaveTracer {
   void shade(const WaveGeneration& generation, WaveHit* met, int count, Vec3f* colors,
              Vec3d* mixtures);
   void setSides(const WaveGeneration& generation, WaveSurfaces& surfaces);
+  void addAmbient(const MaterialGroup& group, const WaveGeneration& generation,
+                  const WaveSurfaces& surfaces) const;
   void addLight(int index, const WaveGeneration& generation, const WaveSurfaces& surfaces);
   void sampleLight(int index, const WaveGeneration& generation, const WaveSurfaces& surfaces,
                    WaveLight& light) const;

@@ -13,6 +13,7 @@
 #include "scene/input_error.h"
 #include "scene/scene_rules.h"
 #include "scene/solid_objects.h"
+#include "shading/background.h"
 #include "shading/light.h"
 #include "shading/material.h"
 
@@ -45,7 +46,9 @@ class SceneParser {
   /// Never null once the constructor has returned; there is exactly one.
   const Camera* getCamera() const { return camera_.get(); }
   /// 0.5 0.5 0.5 where the file does not say.
-  Vec3f getBackgroundColor() const { return backgroundColor_; }
+  Vec3f getBackgroundColor() const { return background_.getColor(); }
+  /// That colour, or a cube map, as seen in each direction.
+  const Background& getBackground() const { return background_; }
   /// Black where the file does not say; white where the scene has no lights at all.
   Vec3f getAmbientLight() const { return ambientLight_; }
   /// 0 or more.
@@ -92,7 +95,7 @@ class SceneParser {
   SceneParser() = default;   // empty, for check()
 
   std::unique_ptr<Camera> camera_;
-  Vec3f backgroundColor_{0.5f, 0.5f, 0.5f};
+  Background background_;
   Vec3f ambientLight_;
   std::vector<std::unique_ptr<Light>> lights_;
   std::vector<std::unique_ptr<Material>> materials_;

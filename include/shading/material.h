@@ -5,6 +5,7 @@
 #include "geometry/ray.h"
 #include "math/vec3.h"
 
+class DiffuseMap;
 class SolidTexture;
 
 class Material {
@@ -41,6 +42,10 @@ class Material {
   /// are the ray tracer's business.
   virtual Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
                       const Vec3f& lightColor) const = 0;
+
+  /// What takes the place of the diffuse colour, which then differs from place to place: not owned;
+  /// null where none does.
+  virtual const DiffuseMap* getDiffuseMap() const { return nullptr; }
 
   /// This material as the solid texture that it is; null where it is the same at every point.
   virtual const SolidTexture* asTexture() const { return nullptr; }

@@ -68,6 +68,11 @@ class PhongMaterial : public Material {
   bool isHighlightDimmed() const { return isHighlightDimmed_; }
   void dimHighlight() { isHighlightDimmed_ = true; }
 
+  const DiffuseMap* getDiffuseMap() const override { return diffuseMap_; }
+  /// Of which the diffuse colour is from now on, `map` being owned by another and not null. Only
+  /// while the scene is being read.
+  void setDiffuseMap(const DiffuseMap* map) { diffuseMap_ = map; }
+
   /// The formula above. Black where n.l <= 0; no highlight where c <= 0, even for exponent 0.
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
               const Vec3f& lightColor) const override;
@@ -77,6 +82,7 @@ class PhongMaterial : public Material {
   /// c for a ray of unit direction v, its normal n and the light's direction l.
   virtual double highlightCosine(const Vec3d& v, const Vec3d& n, const Vec3d& l) const;
 
+  const DiffuseMap* diffuseMap_ = nullptr;
   Vec3f specularColor_;
   float exponent_;
   bool isHighlightDimmed_ = false;

@@ -35,7 +35,7 @@ RayTracer::RayTracer(const SceneParser& scene, const Object3D& geometry,
 Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                           Hit& hit) const {
   Interface interface;
-  if (!meet(ray, tmin, hit, interface)) return scene_->getBackgroundColor();
+  if (!meet(ray, tmin, hit, interface)) return scene_->getBackground().colorAt(ray.getDirection());
   return shade({ray, hit, interface, bounces, weight, indexOfRefraction});
 }
 

@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "shading/diffuse_map.h"
 #include "shading/optics.h"
 
 namespace {
@@ -45,7 +46,13 @@ Shader::Shader(const SceneParser& scene, const RenderOptions& options)
 }
 
 Vec3d Shader::ambient(const Surface& s) const {
-  return isDark(approachOf(s)) ? Vec3d() : ambient(*s.hit.getMaterial());
+  return isDark(approachOf(s)) ? Vec3d() : ambient(*s.hit.getMaterial(), s.hit);
+}
+
+Vec3d Shader::ambient(const Material& material, const Hit& hit) const {
+  const DiffuseMap* const map = ambientMap(material);
+  const Vec3d diffuse = map ? map->colorAt(hit) : Vec3d(material.getDiffuseColor());
+  return Vec3d(scene_->getAmbientLight()) * diffuse;
 }
 
 void Shader::sampleLight(int index, const Surface& s, LightSample& light) const {

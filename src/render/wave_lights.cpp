@@ -37,6 +37,7 @@ bool toNumbers(const Material& material, PhongNumbers& numbers) {
   numbers.isBlinn = typeid(material) == typeid(BlinnPhongMaterial);
   if (!numbers.isBlinn && typeid(material) != typeid(PhongMaterial)) return false;
   const auto& phong = static_cast<const PhongMaterial&>(material);
+  if (phong.getDiffuseMap()) return false;
   copyTo(numbers.diffuse, phong.getDiffuseColor());
   copyTo(numbers.specular, phong.getSpecularColor());
   numbers.exponent = double(phong.getExponent());
@@ -127,9 +128,8 @@ void WaveTracer::reflect(const MaterialGroup& group, const WaveGeneration& gener
   if (toNumbers(*group.material, numbers)) return kernels_.reflect(numbers, light, rows, surfaces);
   for (const int row : rows) {
     const int k = light.surface[row], ray = surfaces.ray[k];
-    const Hit hit = generation.hits.hitOf(ray, generation.rays.tmax[ray])
-                        .withMaterial(group.material)
-                        .withNormal(rowOf(surfaces.lit, k));
+    const Hit hit =
+        generation.hitOf(ray).withMaterial(group.material).withNormal(rowOf(surfaces.lit, k));
     surfaces.add(k, group.material->Shade(generation.rays.rayOf(ray), hit,
                                           Vec3f(rowOf(light.direction, row)),
                                           Vec3f(rowOf(light.color, row))));

@@ -25,6 +25,8 @@ struct WaveGeneration {
   const Interface* interfaces;  ///< of each ray; null where all are plain
   int bounces;
 
+  /// What ray `row` has met; see HitTable::hitOf.
+  Hit hitOf(int row) const { return hits.hitOf(row, rays.tmax[row]); }
   /// On both sides of what ray `row` has met; `approach` is n.v.
   const Interface& interfaceOf(int row, double approach) const {
     return interfaces ? interfaces[row] : Interfaces::plainInterface(approach);

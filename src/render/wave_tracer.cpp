@@ -197,6 +197,7 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
   WaveHit* met = arena_.take<WaveHit>(std::size_t(RayTable::kMost));
   Vec3d* mixtures = nullptr;  // the sums of textures' components, for each ray
   SolidTexture::Mixture mixture;
+  const Background& background = tracer_.scene().getBackground();
   int count = 0;
   const auto add = [&](int row, const WeightedMaterial& weighted, bool isComponent) {
     if (count == RayTable::kMost) {
@@ -207,7 +208,7 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
   };
   for (int row = 0; row < rays.count; ++row) {
     if (!hits.isFound(row)) {
-      colors[row] = tracer_.scene().getBackgroundColor();
+      colors[row] = background.colorAt(rowOf(rays.direction, row));
     } else if (const SolidTexture* texture = hits.material[row]->asTexture()) {
       if (!mixtures) {
         mixtures = arena_.take<Vec3d>(std::size_t(rays.count));
@@ -268,13 +269,8 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
   for (int light = 0; light < tracer_.scene().getNumLights(); ++light) {
     addLight(light, generation, surfaces);
   }
-  const bool hasDarkSides = tracer_.shader().options().darkBacks;
   for (int g = 0; g < surfaces.groupCount; ++g) {
-    const MaterialGroup& group = surfaces.groups[g];
-    const Vec3d ambient = tracer_.shader().ambient(*group.material);
-    for (int k = group.first; k < group.last; ++k) {
-      if (!hasDarkSides || rowOf(surfaces.lit, k) != Vec3d()) surfaces.add(k, ambient);
-    }
+    addAmbient(surfaces.groups[g], generation, surfaces);
   }
   Branches(*this, generation, surfaces).addAll();
   for (const WaveHit* hit = met; hit != met + count; ++hit) {
@@ -284,6 +280,20 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
     if (!hit->isComponent) continue;
     mixtures[hit->ray] += hit->share * Vec3d(colors[hit->ray]);
     colors[hit->ray] = Vec3f(mixtures[hit->ray]);
+  }
+}
+
+/// Adds the ambient term to the surfaces of a group, which have one for all where no map gives
+/// their colours.
+void WaveTracer::addAmbient(const MaterialGroup& group, const WaveGeneration& generation,
+                            const WaveSurfaces& surfaces) const {
+  const Shader& shader = tracer_.shader();
+  const bool isMapped = shader.ambientMap(*group.material) != nullptr;
+  Vec3d ambient = isMapped ? Vec3d() : shader.ambient(*group.material, Hit());
+  for (int k = group.first; k < group.last; ++k) {
+    if (shader.options().darkBacks && rowOf(surfaces.lit, k) == Vec3d()) continue;
+    if (isMapped) ambient = shader.ambient(*group.material, generation.hitOf(surfaces.ray[k]));
+    surfaces.add(k, ambient);
   }
 }
 

@@ -140,7 +140,7 @@ void SceneReader::readBackground() {
   Fields fields = {"Background"};
   in_.readFields("Background", fields);
   in_.checkRanges("Background", fields);
-  scene_.backgroundColor_ = fields["color"].color();
+  scene_.background_ = Background(fields["color"].color());
   scene_.ambientLight_ = fields["ambientLight"].color();
 }
 

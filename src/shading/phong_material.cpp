@@ -5,12 +5,15 @@
 // precision, as the assignment has them; everything is computed in double and rounded once.
 #include "shading/phong_material.h"
 
+#include "shading/diffuse_map.h"
+
 /// lightColor * ((n.l) diffuse + c^exponent specular).
 Vec3f PhongMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
                            const Vec3f& lightColor) const {
   const Vec3d &v = ray.getDirection(), &n = hit.getNormal(), l = dirToLight;
   const double c = highlightCosine(v, n, l);
-  return Vec3f(phong_light::reflectedLight(n, l, c, Vec3d(lightColor), Vec3d(getDiffuseColor()),
+  const Vec3d diffuse = diffuseMap_ ? diffuseMap_->colorAt(hit) : Vec3d(getDiffuseColor());
+  return Vec3f(phong_light::reflectedLight(n, l, c, Vec3d(lightColor), diffuse,
                                            Vec3d(specularColor_), double(exponent_),
                                            isHighlightDimmed_));
 }
