@@ -1,5 +1,6 @@
 // MeshGeometry: the vertices and triangles of one OBJ file, shared by all meshes that name it.
-// Vertices are stored in float, which holds every digit that OBJ files carry, and used in double.
+// Vertices are stored in float and used in double. Of a mesh far from 0 (isFarMesh in
+// scene/obj_reader.h) they are measured from an origin near it, or no float would tell them apart.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,12 +15,18 @@ class MeshGeometry {
   /// The corners of a triangle, as indices of vertices.
   using Face = std::array<std::uint32_t, 3>;
 
-  MeshGeometry() = default;
-  /// Every index in `faces` must be below vertices.size(). Large meshes are looked over by
-  /// several threads.
-  MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces);
+  /// The origin that changes nothing: even -0 stays as it is when this is added.
+  static constexpr Vec3d kZero{-0.0, -0.0, -0.0};
 
+  MeshGeometry() = default;
+  /// Every index in `faces` must be below vertices.size(). The vertices of faces are measured from
+  /// `origin`, and double must hold each sum exactly: so what is said of differences, areas and
+  /// equal places needs no origin. Large meshes are looked over by several threads.
+  MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces, const Vec3d& origin = kZero);
+
+  /// Measured from the origin.
   const std::vector<Vec3f>& getVertices() const { return vertices_; }
+  const Vec3d& getOrigin() const { return origin_; }
   const std::vector<Face>& getFaces() const { return faces_; }
   std::uint32_t faceCount() const { return std::uint32_t(faces_.size()); }
   /// The corners of face `face`, below faceCount(), in the mesh's own space.
@@ -28,7 +35,7 @@ class MeshGeometry {
   }
   /// Corner 0, 1 or 2 of face `face`, in the mesh's own space.
   Vec3d corner(std::uint32_t face, int index) const {
-    return vertices_[faces_[face][std::size_t(index)]];
+    return origin_ + vertices_[faces_[face][std::size_t(index)]];
   }
   /// Faces without area, which no ray ever hits.
   std::uint32_t countFlatFaces() const;
@@ -45,7 +52,7 @@ class MeshGeometry {
  private:
   /// What is known of kRunFaces faces in a row (the last run may have fewer).
   struct FaceRun {
-    Vec3f low, high;  // their bounding box
+    Vec3f low, high;  // their bounding box, measured from the origin
     std::uint32_t flatFaces = 0;
   };
   static constexpr std::size_t kRunFaces = 64;
@@ -55,6 +62,7 @@ class MeshGeometry {
   template <class Visitor>
   void visitCorners(std::size_t run, const Visitor& visit) const;
 
+  Vec3d origin_ = kZero;
   std::vector<Vec3f> vertices_;
   std::vector<Face> faces_;
   std::vector<FaceRun> runs_;

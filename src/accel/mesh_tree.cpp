@@ -2,8 +2,8 @@
 //
 // Corners are stored scaled by a power of two, which brings the mesh's longest side to 1 to 2: that
 // loses no digit unless a number leaves the range of float, so dividing gives back the mesh's own
-// corners; where any does not come back, they are fetched from the mesh instead. There is no
-// anchor, for taking it away would round. All steps go over chunks by all threads.
+// corners; where any does not come back, they are fetched from the mesh instead. The anchor is the
+// mesh's origin: taking anything else away would round. All steps go over chunks by all threads.
 //
 // Many faces with the very same corners would all be in the way of a ray that meets one. They end
 // up in leaves whose boxes are all the same; where there are several such leaves, the tree is built
@@ -166,7 +166,12 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     BoundingBox box;
     geometry.addBounds(Matrix(), box);
     const float scale = scaleFor(box);
-    bvh_.scale = scale;
+    const auto beginTree = [&] {
+      bvh_ = {};
+      bvh_.scale = scale;
+      for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = geometry.getOrigin()[axis];
+    };
+    beginTree();
     Findings findings;
     const MeshLeafWriter writer(geometry, scale, findings);
     buildWideBvh(bvh_, meshItems(geometry, scale, true, pool), writer, pool);
@@ -175,8 +180,7 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     BuildItems items = meshItems(geometry, scale, false, pool);
     copies_ = dropCopies(geometry, findings.piled, items);
     if (copies_.empty()) return;
-    bvh_ = {};
-    bvh_.scale = scale;
+    beginTree();
     buildWideBvh(bvh_, std::move(items), writer, pool);
   });
 }
@@ -189,9 +193,9 @@ const FaceCopies* MeshTree::copiesOf(std::uint32_t face) const {
 }
 
 BoundingBox MeshTree::box() const {
-  const double *low = bvh_.whole.low, *high = bvh_.whole.high;
-  return {Vec3d(low[0], low[1], low[2]) / bvh_.scale,
-          Vec3d(high[0], high[1], high[2]) / bvh_.scale};
+  const Vec3d anchor = Vec3d::of(bvh_.anchor);
+  return {anchor + Vec3d::of(bvh_.whole.low) / bvh_.scale,
+          anchor + Vec3d::of(bvh_.whole.high) / bvh_.scale};
 }
 
 MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {
@@ -208,7 +212,7 @@ MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) co
   for (int k = 0; k < 9; ++k) {
     float value;
     std::memcpy(&value, words + kFirstRow + k % 3 * n + placeOf(places, k / 3), sizeof value);
-    v[k] = value * unscale;
+    v[k] = bvh_.anchor[k % 3] + value * unscale;
   }
   return {Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8]), face};
 }

@@ -785,7 +785,9 @@ than 256 pixels in a byte.
   samples in a pixel       1 to 65536; -adaptive_samples begins with 1 to 256
   filters                  reach up to 32 pixels
   meshes                   2^32 - 1 vertices and as many triangles; vertices
-                           are kept in single precision, all else in double
+                           are kept in single precision, all else in double;
+                           those of a mesh more than 16 times its size from 0
+                           as offsets from a place amid it
   a device as input        64 MB; a pipe with a picture to compare 1 GB; files
                            are bound by memory alone
   a damaged -checkpoint    what follows 64 MB of damage is not looked for

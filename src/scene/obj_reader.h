@@ -134,6 +134,20 @@ void readObjChunk(std::string_view statements, const ObjSurroundings& around,
 /// How many vertices the statements define.
 std::size_t countObjVertices(std::string_view statements);
 
+/// Appends the place of each vertex that the statements define, in double; anything where there is
+/// a mistake.
+void readObjPlaces(std::string_view statements, std::vector<Vec3d>& places);
+
+/// True where the faces' box is further from 0 than 16 times its longest side: the largest
+/// coordinate, by size, of the point of the box that is nearest to 0. Of most meshes few faces are
+/// looked at.
+bool isFarMesh(const std::vector<Vec3f>& vertices, const std::vector<MeshGeometry::Face>& faces);
+
+/// Measures vertices, of which all faces' have places, anew from an origin amid them. Returns that:
+/// a MeshGeometry's.
+Vec3d measureFromMiddle(const std::vector<Vec3d>& places,
+                        const std::vector<MeshGeometry::Face>& faces, std::vector<Vec3f>& vertices);
+
 /// True when the line that ends at `newline` goes on behind it: it ends in a backslash. It begins
 /// at or before `start`, and nothing before that is looked at, nor before the last two bytes.
 bool isContinuedLine(const char* start, const char* newline);

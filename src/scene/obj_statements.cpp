@@ -307,6 +307,20 @@ std::size_t countObjVertices(std::string_view statements) {
   return count;
 }
 
+void readObjPlaces(std::string_view statements, std::vector<Vec3d>& places) {
+  const Words words(statements.data() + statements.size());
+  const char* p = words.findStatement(statements.data());
+  for (; p != words.end(); p = words.findStatement(words.skipStatement(p))) {
+    if (!words.isStatement('v', p)) continue;
+    Vec3d& place = places.emplace_back();
+    ++p;
+    for (int axis = 0; axis < 3; ++axis) {
+      const char* const stop = scanDouble(words.findWord(p), words.end(), place[axis]);
+      if (stop) p = stop;
+    }
+  }
+}
+
 bool isContinuedLine(const char* start, const char* newline) {
   if (newline != start && newline[-1] == '\r') --newline;
   return newline != start && newline[-1] == '\\';

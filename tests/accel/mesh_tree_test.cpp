@@ -99,7 +99,9 @@ TEST("leaves give back the corners of every face, bit for bit") {
   for (const double size : {1.0, 3e5, 1e-3, 1e-38}) {
     for (const std::size_t faces : {std::size_t(1), std::size_t(7), std::size_t(400)}) {
       for (const bool isShared : {true, false}) {
-        const MeshGeometry mesh = randomMesh(faces, isShared, size, faces);
+        const MeshGeometry near = randomMesh(faces, isShared, size, faces);
+        const Vec3d origin = isShared ? MeshGeometry::kZero : Vec3d(-1024, 4096, 0) * size;
+        const MeshGeometry mesh(near.getVertices(), near.getFaces(), origin);
         const Inspection found(mesh, 1);
         CHECK_EQUAL(found.wrong(), std::size_t(0));
         CHECK_EQUAL(found.notOnce(), mesh.countFlatFaces());

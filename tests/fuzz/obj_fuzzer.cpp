@@ -8,7 +8,7 @@
 
 namespace {
 
-bool isSame(const Vec3f& a, const Vec3f& b) {
+bool isSame(const Vec3d& a, const Vec3d& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
 }
 
@@ -19,7 +19,7 @@ bool isSame(const MeshGeometry& a, const MeshGeometry& b) {
   for (std::size_t i = 0; i < a.getVertices().size(); ++i) {
     if (!isSame(a.getVertices()[i], b.getVertices()[i])) return false;
   }
-  return a.countFlatFaces() == b.countFlatFaces();
+  return isSame(a.getOrigin(), b.getOrigin()) && a.countFlatFaces() == b.countFlatFaces();
 }
 
 void checkMesh(MeshGeometry& mesh) {

@@ -128,15 +128,16 @@ TEST("the bounds of a large mesh under any map are those of all its corners, to 
     vertices.push_back({1e6f, 1e6f, 1e6f});
     Faces faces;
     for (std::uint32_t k = 0; k + 2 < 2000; ++k) faces.push_back({k, k + 1, k + 2});
-    const MeshGeometry geometry(vertices, faces);
+    const Vec3d origin = i % 2 == 0 ? MeshGeometry::kZero : Vec3d(4096, -512, 0);
+    const MeshGeometry geometry(vertices, faces, origin);
     BoundingBox box, expected;
     for (int instance = 0; instance < 5; ++instance) {
       const Matrix move = Matrix::translation(random.inCube(-3, 3)), turn = random.rotation();
       const Matrix toWorld = move * turn * Matrix::scale(random.inCube(-2, 2));
       geometry.addBounds(instance == 0 ? Matrix() : toWorld, box);
       for (int k = 0; k < 2000; ++k) {
-        expected.extend(
-            (instance == 0 ? Matrix() : toWorld).transformPoint(Vec3d(vertices[std::size_t(k)])));
+        const Vec3d corner = origin + vertices[std::size_t(k)];
+        expected.extend((instance == 0 ? Matrix() : toWorld).transformPoint(corner));
       }
       CHECK_EQUAL(box.low(), expected.low());
       CHECK_EQUAL(box.high(), expected.high());

@@ -11,8 +11,10 @@ namespace {
 
 std::string shown(const MeshGeometry& mesh) {
   std::ostringstream out;
+  const Vec3d& origin = mesh.getOrigin();
+  out << std::hexfloat << origin.x() << ' ' << origin.y() << ' ' << origin.z() << '\n';
   for (const Vec3f& v : mesh.getVertices()) {
-    out << std::hexfloat << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+    out << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
   }
   for (const MeshGeometry::Face& face : mesh.getFaces()) {
     out << face[0] << ' ' << face[1] << ' ' << face[2] << '\n';
