@@ -64,9 +64,13 @@ class SceneParser {
   /// Never null; empty where the file has no Group.
   const Group* getGroup() const { return &group_; }
 
-  /// The files of the meshes, as absolute paths without links: one for each name that the scene
-  /// calls a mesh by, in the alphabetical order of these names. Two names may have one file.
-  const std::vector<std::string>& getMeshFiles() const { return meshFiles_; }
+  /// The files of the meshes and, behind them, of the pictures, as absolute paths without links:
+  /// one for each name that the scene calls a mesh or a picture by, in the alphabetical order of
+  /// these names. Two names may have one file.
+  const std::vector<std::string>& getInputFiles() const { return inputFiles_; }
+
+  /// The memory of the pictures of textures and cube maps.
+  std::size_t getPictureBytes() const;
 
   /// What is legal but probably a mistake: "FILE:LINE: text" each, in file order.
   const std::vector<std::string>& getWarnings() const { return warnings_; }
@@ -98,12 +102,13 @@ class SceneParser {
   Background background_;
   Vec3f ambientLight_;
   std::vector<std::unique_ptr<Light>> lights_;
+  std::vector<std::unique_ptr<ImageTexture>> pictures_;
   std::vector<std::unique_ptr<Material>> materials_;
   std::vector<std::unique_ptr<Object3D>> objects_;
   std::vector<std::unique_ptr<MeshGeometry>> meshes_;
   Group group_;
   std::optional<SolidObjects> solids_;
   ThinSolid thinnest_;
-  std::vector<std::string> meshFiles_;
+  std::vector<std::string> inputFiles_;
   std::vector<std::string> warnings_;
 };

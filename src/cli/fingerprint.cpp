@@ -1,9 +1,9 @@
 // The fingerprint of a picture: one SHA-256 over all that decides on its pixels, one after the
-// other: version, scene, meshes, kinds of pictures, arguments. Texts go in with their lengths
-// before them, numbers as 8 bytes, so that no two lists of them give the same bytes ("ab" "c" and
-// "a" "bc"). Arguments count as they were given, word by word: that is stricter than need be, but a
-// new argument cannot be forgotten. Parts in users' folders bear this fingerprint: its order stays
-// as it is.
+// other: version, scene, the files it reads, kinds of pictures, arguments. Texts go in with their
+// lengths before them, numbers as 8 bytes, so that no two lists of them give the same bytes ("ab"
+// "c" and "a" "bc"). Arguments count as they were given, word by word: that is stricter than need
+// be, but a new argument cannot be forgotten. Parts in users' folders bear this fingerprint: its
+// order stays as it is.
 #include "cli/fingerprint.h"
 
 #include <algorithm>
@@ -101,14 +101,14 @@ Digest fileDigest(const std::string& path, int threads) {
 }
 
 Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
-                          const Digest& scene, const std::vector<std::string>& meshFiles,
+                          const Digest& scene, const std::vector<std::string>& inputFiles,
                           int threads) {
   Sha256 hash;
   addText(versionText(), hash);
   hash.add(scene);
-  hash.addNumber(meshFiles.size());
-  std::map<std::string, Digest> known;  // a mesh that is named a thousand times is read once
-  for (const std::string& file : meshFiles) {
+  hash.addNumber(inputFiles.size());
+  std::map<std::string, Digest> known;  // a file that is named a thousand times is read once
+  for (const std::string& file : inputFiles) {
     if (known.count(file) == 0) known[file] = fileDigest(file, threads);
     hash.add(known[file]);
   }

@@ -9,13 +9,13 @@
 #include "system/sha256.h"
 
 /// The digest of the program's version, the scene's bytes (`scene` is their digest), all bytes of
-/// `meshFiles` (in an order that the scene gives, which may name one twice), which pictures are
+/// `inputFiles` (in an order that the scene gives, which may name one twice), which pictures are
 /// wanted, and every argument as it was given, but those that change no pixel (see changesPicture)
 /// and the files' names. Two ways of saying the same (a default that is given, 5 and 5.0) are
 /// different. Files are hashed on so many threads; one that cannot be read, or is no plain file
 /// that could be read twice, throws std::runtime_error.
 Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
-                          const Digest& scene, const std::vector<std::string>& meshFiles,
+                          const Digest& scene, const std::vector<std::string>& inputFiles,
                           int threads);
 
 /// False for an argument (its name without dashes) that changes no pixel whatever its words are,

@@ -70,9 +70,10 @@ std::string Stats::text(const PictureRequest& picture) const {
   const auto total = double(rays.total());
   std::ostringstream text;
   text << std::fixed << std::setprecision(6) << "instruction set: " << simd << "\ntree: " << tree
-       << "\nthreads: " << threads << "\nseconds reading: " << readSeconds
-       << "\nseconds building: " << buildSeconds << "\nseconds tracing: " << traceSeconds
-       << "\nseconds writing: " << writeSeconds << '\n';
+       << "\nthreads: " << threads;
+  if (pictureBytes > 0) text << "\nbytes of pictures: " << pictureBytes;
+  text << "\nseconds reading: " << readSeconds << "\nseconds building: " << buildSeconds
+       << "\nseconds tracing: " << traceSeconds << "\nseconds writing: " << writeSeconds << '\n';
   addRays(rays, text);
   text << std::setprecision(3)
        << "rays per pixel: " << ratio(total, double(picture.area.pixelCount()))

@@ -125,7 +125,7 @@ bool isSameOutput(const std::string& a, const std::string& b) {
 }
 
 void checkFiles(const RenderRequest& render, const std::string& checkpoint,
-                const std::vector<std::string>& meshFiles) {
+                const std::vector<std::string>& inputFiles) {
   const NamedFile input = {"-input", render.picture.scene};
   const std::string printing = printingArgument(render.results);
   std::vector<NamedFile> outputs;
@@ -134,7 +134,7 @@ void checkFiles(const RenderRequest& render, const std::string& checkpoint,
   }
   if (!checkpoint.empty()) outputs.push_back({"-checkpoint", checkpoint});
   // Each output against the scene, standard output where lines go there, the outputs before it, and
-  // the meshes.
+  // the files that the scene reads.
   for (const NamedFile& output : outputs) {
     if (isSamePlace(inputPath(input.file), outputPath(output.file))) refuse(input, output);
     if (!printing.empty() && isSameOutput(output.file, "-")) {
@@ -143,10 +143,10 @@ void checkFiles(const RenderRequest& render, const std::string& checkpoint,
     for (const NamedFile* other = outputs.data(); other != &output; ++other) {
       if (isSameOutput(other->file, output.file)) refuse(*other, output);
     }
-    for (const std::string& mesh : meshFiles) {
-      if (!isSameOutput(mesh, output.file)) continue;
+    for (const std::string& file : inputFiles) {
+      if (!isSameOutput(file, output.file)) continue;
       failUsage(output.argument, ": expected a file that the scene does not read, found '",
-                output.file, "', one of its meshes");
+                output.file, "', one of its meshes or pictures");
     }
   }
 }

@@ -15,10 +15,10 @@
 bool isSameOutput(const std::string& a, const std::string& b);
 
 /// Throws UsageError where two outputs, of which `checkpoint` is one unless it is empty, are the
-/// same file, or an output is the scene or one of `meshFiles`, or standard output (by whatever
+/// same file, or an output is the scene or one of `inputFiles`, or standard output (by whatever
 /// name) where lines are printed there. See isSameOutput.
 void checkFiles(const RenderRequest& render, const std::string& checkpoint,
-                const std::vector<std::string>& meshFiles = {});
+                const std::vector<std::string>& inputFiles = {});
 
 /// Throws UsageError where the merged picture would replace one of its parts.
 void checkMergedFiles(const MergeRequest& merge);

@@ -90,7 +90,7 @@ std::string textOf(const PartId& id) {
 }
 
 PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
-                const std::vector<std::string>& meshFiles, int threads) {
+                const std::vector<std::string>& inputFiles, int threads) {
   static constexpr const char* kNames[] = {"color", "depth", "normals"};
   assert(output.kind <= OutputRequest::Kind::normals);
   std::vector<GivenArgument> given;
@@ -101,7 +101,7 @@ PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const 
   // As if the run had been for this output alone.
   ResultRequest alone;
   alone.outputs = {output};
-  const Digest digest = pictureFingerprint(alone, given, scene, meshFiles, threads);
+  const Digest digest = pictureFingerprint(alone, given, scene, inputFiles, threads);
   return {kNames[int(output.kind)], render.picture.width, render.picture.height,
           hexadecimal(digest)};
 }

@@ -26,7 +26,7 @@ std::string textOf(const PartId& id);
 /// kinds, and another the same ones singly. It is of kind color, depth or normals; for the rest,
 /// and errors, see pictureFingerprint.
 PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
-                const std::vector<std::string>& meshFiles, int threads);
+                const std::vector<std::string>& inputFiles, int threads);
 
 struct PartFile {
   std::string path;

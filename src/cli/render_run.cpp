@@ -103,7 +103,7 @@ bool RenderRun::prepareOutputs() {
   if (!picture.isPart) return true;
   for (Output& output : outputs_) {  // each tells which picture it belongs to
     const PartId id =
-        partIdOf(output, request_, notes_.digest, scene_.getMeshFiles(), run_.threads);
+        partIdOf(output, request_, notes_.digest, scene_.getInputFiles(), run_.threads);
     output.place = {picture.area.left, picture.height - picture.area.top, textOf(id)};
   }
   return true;
@@ -124,7 +124,7 @@ void RenderRun::trace() {
   const bool isTraced = wantsRays(outputs_);
   if (isTraced && !run_.checkpoint.empty()) {
     const Digest fingerprint = pictureFingerprint(results, request_.given, notes_.digest,
-                                                  scene_.getMeshFiles(), run_.threads);
+                                                  scene_.getInputFiles(), run_.threads);
     checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
     if (!run_.quiet) checkpoint_->tell();
     targets.store = checkpoint_.get();
@@ -148,6 +148,7 @@ void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   stats_.simd = geometry.simd();
   stats_.tree = geometry.description();
   stats_.threads = run_.threads;
+  stats_.pictureBytes = scene_.getPictureBytes();
   stats_.buildSeconds = watch_.restart();
   const MaterialColors materialColors(scene_);
   targets.materialColors = &materialColors;
@@ -203,7 +204,7 @@ std::vector<Output> renderPictures(const RenderRequest& request, const RunReques
 int renderScene(const RenderRequest& request, const RunRequest& run) {
   checkFiles(request, run.checkpoint);
   RenderRun rendering(request, run);
-  checkFiles(request, run.checkpoint, rendering.scene().getMeshFiles());
+  checkFiles(request, run.checkpoint, rendering.scene().getInputFiles());
   rendering.prepare();
   if (!rendering.prepareOutputs()) return kOutputFailed;
   rendering.trace();

@@ -1,5 +1,4 @@
-// Reading OBJ files: chunks by many threads, put in a row afterwards; or the whole text as one; and
-// finding the files that a scene names.
+// Reading OBJ files: chunks by many threads, put in a row afterwards; or the whole text as one.
 #include "scene/obj_reader.h"
 
 #include <algorithm>
@@ -12,9 +11,6 @@
 #include "system/worker_threads.h"
 
 namespace {
-
-constexpr std::size_t kShownPath = 200;
-constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longer name
 
 /// Thrown where a chunk shows that the file must be read as one.
 struct IsUnclear {};
@@ -178,17 +174,6 @@ bool join(std::vector<ObjChunk>& chunks, const OpenFile& file, const ObjReading&
   return true;
 }
 
-/// Without the quotes around it, in which \" stands for a quote.
-std::string unquoted(std::string_view name) {
-  if (name.size() < 2 || name[0] != '"') return std::string(name);
-  std::string text;
-  for (std::size_t k = 1; k + 1 < name.size(); ++k) {
-    if (name[k] == '\\' && name[k + 1] == '"') ++k;
-    text += name[k];
-  }
-  return text;
-}
-
 /// Where the first statement begins at `from` or behind it: after the first line end from just
 /// before it on that is not continued. (In a comment a backslash would not continue the line: such
 /// a line end is passed over too.) npos where none does.
@@ -283,38 +268,12 @@ std::optional<std::string_view> readStatements(const OpenFile& file, std::size_t
 
 const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
   isNew = false;
-  if (byName_.count(name) == 0) byName_[name] = locate(name, isNew);
-  const std::string& path = byName_[name];
+  const auto readNew = [&](const std::string& path, const std::string& key, std::string& reason) {
+    if (byPath_.count(key) > 0) return true;
+    return isNew = read(path, key, name, reason);
+  };
+  const std::string& path = files_.find(name, name.data(), readNew);
   return path.empty() ? nullptr : byPath_[path];
-}
-
-std::vector<std::string> MeshLibrary::files() const {
-  std::vector<std::string> files;
-  for (const auto& [name, path] : byName_) {
-    if (!path.empty() && byPath_.at(path)) files.push_back(path);
-  }
-  return files;
-}
-
-/// The path without links of the file that `name` means, which has then been read; empty where
-/// there is none that can be read.
-std::string MeshLibrary::locate(std::string_view name, bool& isNew) {
-  std::string tried;
-  for (const std::string& path : candidates(name)) {
-    std::error_code error;
-    const std::string key = std::filesystem::canonical(path, error).string();
-    std::string reason = error.message();
-    if (!error && byPath_.count(key) > 0) return key;
-    isNew = !error && read(path, key, name, reason);
-    if (isNew) return key;
-    tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
-  }
-  const std::string why = name.size() > kLongestPath ? "a path has at most 4096 bytes"
-                          : tried.empty()            ? "no file can have this name"
-                                                     : "looked for " + tried;
-  log_.add(placeOf(name), InputError(scene_.name(), scene_.lineAt(name.data()),
-                                     "cannot read the mesh " + quoted(name) + "; " + why));
-  return {};
 }
 
 /// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then null is
@@ -351,20 +310,4 @@ MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, s
   MeshGeometry mesh = readObj(text, log_, place, warnings_);
   const bool isNothing = mesh.getVertices().empty() && log_.count() == mistakesBefore;
   return isNothing && isBinary(text.bytes()) ? reportKind("a binary file") : std::move(mesh);
-}
-
-std::vector<std::string> MeshLibrary::candidates(std::string_view name) const {
-  if (name.size() > kLongestPath || name.find('\0') != std::string_view::npos) return {};
-  std::string text = unquoted(name);
-  std::replace(text.begin(), text.end(), '\\', '/');
-  const std::filesystem::path file(text);
-  const std::filesystem::path folder = std::filesystem::path(scene_.name()).parent_path();
-  std::vector<std::string> paths;
-  for (const auto& path : {folder / file, file, folder / file.filename()}) {
-    const std::string candidate = path.string();
-    if (std::find(paths.begin(), paths.end(), candidate) == paths.end()) {
-      paths.push_back(candidate);
-    }
-  }
-  return paths;
 }

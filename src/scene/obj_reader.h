@@ -21,6 +21,7 @@
 
 #include "geometry/mesh_geometry.h"
 #include "scene/input_error.h"
+#include "scene/named_files.h"
 #include "scene/source_text.h"
 #include "system/files.h"
 
@@ -49,36 +50,31 @@ class MeshLibrary {
   /// Reads on behalf of `scene` into `meshes`; both, and `log`, must outlive the library.
   MeshLibrary(const SourceText& scene, MistakeLog& log,
               std::vector<std::unique_ptr<MeshGeometry>>& meshes)
-      : scene_(scene), log_(log), meshes_(meshes) {}
+      : scene_(scene), log_(log), files_(scene, log, "mesh"), meshes_(meshes) {}
 
-  /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be: beside
-  /// the scene file, in the current folder, or by the file's name alone beside the scene file. Null
-  /// where there were mistakes, which are reported the first time. `isNew` tells whether the file
-  /// was read just now. Not owned by the caller.
+  /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be; see
+  /// NamedFiles. Null where there were mistakes, which are reported the first time. `isNew` tells
+  /// whether the file was read just now. Not owned by the caller.
   const MeshGeometry* find(std::string_view name, bool& isNew);
   /// What is to be said of the mesh that find() has read last.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// The file of each name that find() has found, as an absolute path without links, in the
-  /// alphabetical order of the names.
-  std::vector<std::string> files() const;
+  const NamedFiles& files() const { return files_; }
 
  private:
-  std::string locate(std::string_view name, bool& isNew);
   bool read(const std::string& path, const std::string& key, std::string_view name,
             std::string& reason);
   MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place);
   std::size_t placeOf(std::string_view name) const {
     return std::size_t(name.data() - scene_.bytes().data());
   }
-  std::vector<std::string> candidates(std::string_view name) const;
 
   const SourceText& scene_;
   MistakeLog& log_;
+  NamedFiles files_;
   std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
   std::vector<std::string> warnings_;
-  std::map<std::string_view, std::string> byName_;     // the path of each name in the scene
-  std::map<std::string, const MeshGeometry*> byPath_;  // with links and dots resolved
+  std::map<std::string, const MeshGeometry*> byPath_;  // as files_ finds them
 };
 
 // The steps of reading, for their sources and tests.

@@ -35,6 +35,12 @@ std::vector<InputError> SceneParser::check(const char* filename,
   return log.inOrder();
 }
 
+std::size_t SceneParser::getPictureBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& picture : pictures_) bytes += picture->byteCount();
+  return bytes;
+}
+
 double SceneParser::getSpan() const {
   BoundingBox box;
   group_.addBounds(Matrix(), box);

@@ -27,6 +27,7 @@ SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& s
       notes_(text),
       scene_(scene),
       meshes_(text, log, scene.meshes_),
+      pictures_(text, log, scene.pictures_),
       materials_(in_, notes_, scene.materials_, rules),
       objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}
 
@@ -155,7 +156,10 @@ void SceneReader::finish() {
                 "the scene has no lights: it is shown in white ambient light");
   }
   if (!hasGroup_) notes_.warn(in_.at(), "the scene has no Group: nothing will be seen");
-  scene_.meshFiles_ = meshes_.files();
+  scene_.inputFiles_ = meshes_.files().paths();
+  for (std::string& path : pictures_.files().paths()) {
+    scene_.inputFiles_.push_back(std::move(path));
+  }
   if (notes_.flatTriangles > ObjectReader::kFlatTrianglesNamed) {
     notes_.warn(in_.at(), std::to_string(notes_.flatTriangles - ObjectReader::kFlatTrianglesNamed) +
                               " more triangles have no area: they will not be seen");

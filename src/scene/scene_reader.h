@@ -17,6 +17,7 @@
 #include "scene/field_reader.h"
 #include "scene/obj_reader.h"
 #include "scene/object_places.h"
+#include "scene/picture_library.h"
 #include "scene/scene_parser.h"
 #include "shading/optics.h"
 #include "shading/solid_texture.h"
@@ -193,6 +194,7 @@ class SceneReader {
   SceneNotes notes_;
   SceneParser& scene_;
   MeshLibrary meshes_;
+  PictureLibrary pictures_;
   MaterialReader materials_;
   ObjectReader objects_;
   const char* lightsAt_ = nullptr;
