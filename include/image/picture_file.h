@@ -15,11 +15,12 @@ enum class PictureFormat { tga, png, bmp, ppm, pfm };
 /// The endings of names by which formats are chosen, without dot, in the order of PictureFormat.
 inline constexpr const char* kPictureEndings[] = {"tga", "png", "bmp", "ppm", "pfm"};
 
-/// By the ending of the file's name, in capitals or not; TGA where there is none. std::nullopt
-/// where the ending is none of kPictureEndings.
-std::optional<PictureFormat> knownFormatOf(const std::string& path);
+/// By the ending of the file's name, in capitals or not; `unnamed` where there is none.
+/// std::nullopt where the ending is none of kPictureEndings.
+std::optional<PictureFormat> knownFormatOf(const std::string& path,
+                                           PictureFormat unnamed = PictureFormat::tga);
 /// The same, TGA where the ending is unknown.
-PictureFormat formatOf(const std::string& path);
+PictureFormat formatOf(const std::string& path, PictureFormat unnamed = PictureFormat::tga);
 
 /// Where a picture that is part of another lies in that one, and a text of at most 255 bytes.
 /// (TGA's specification counts origins from the lower left of a screen; like POV-Ray's parts, ours
@@ -29,11 +30,11 @@ struct TgaPlace {
   std::string id;
 };
 
-/// Writes the picture in the format of the file's ending, by OutputFile. A PFM of it has each byte
-/// over 255; `place` is for a TGA only. A PNG is compressed by `threads` >= 1 threads at most.
-/// Throws OutputError, also for a TGA of a side of more than 65535 pixels.
+/// Writes the picture in the format of the file's ending, or else `unnamed`, by OutputFile. A PFM
+/// of it has each byte over 255; `place` is for a TGA only. A PNG is compressed by `threads` >= 1
+/// threads at most. Throws OutputError, also for a TGA of a side of more than 65535 pixels.
 void writePicture(const Image& image, const std::string& path, int threads = 1,
-                  const TgaPlace& place = {});
+                  const TgaPlace& place = {}, PictureFormat unnamed = PictureFormat::tga);
 /// Writes a PFM, whatever the ending. Throws OutputError.
 void writePicture(const FloatImage& image, const std::string& path);
 /// Writes a TGA from rows of BGR bytes: row(y) is asked once for each y, from the top one, 0, on.

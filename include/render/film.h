@@ -22,6 +22,8 @@ class Filter {
   double getWeight(double x, double y) const;
   /// How many pixels to each side have samples that may count; 0: only the pixel's own do.
   int getSupportRadius() const { return supportRadius_; }
+  /// True where samples in the cells along the picture's edges stand for the cells beyond too.
+  bool repeatsEdges() const { return kind_ == SamplingOptions::FilterKind::blurredCells; }
 
  private:
   SamplingOptions::FilterKind kind_;
@@ -36,10 +38,11 @@ class Filter {
 /// the whole picture.
 class Film {
  public:
-  Film(const PixelRectangle& area, const Filter& filter);
+  /// `area` lies in `picture`, the whole one.
+  Film(const PixelRectangle& area, const Filter& filter, const PixelRectangle& picture);
 
   /// Adds a sample, which may lie outside of the area, to all pixels that it counts for. Its
-  /// weights are multiplied by `share` > 0.
+  /// weights are multiplied by `share` > 0. It lies in the picture where the filter repeats edges.
   void addSample(const Sample& sample, const Vec3f& color, double share);
 
   /// The filtered colour of a pixel in the area; the mean of the pixel's own samples where the
@@ -56,7 +59,9 @@ class Film {
     }
   };
 
-  PixelRectangle area_;
+  void addAt(const Sample& place, const Vec3f& color, double share);
+
+  PixelRectangle area_, picture_;
   Filter filter_;
   std::vector<Sum> filtered_, own_;  // of the pixels in the area, row by row
 };

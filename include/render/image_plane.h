@@ -1,5 +1,5 @@
-// Places on the picture: pixels, samples in them, rectangles of pixels, and their points on the
-// camera's image plane. Pixels are counted from 0 from the lower left corner of the whole picture.
+// Places on the picture: pixels, samples in them, rectangles of pixels. Pixels are counted from 0
+// from the lower left corner of the whole picture.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -48,8 +48,8 @@ constexpr int evenBits(int place) {
   return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
 }
 
-/// Calls visit(pixel) for the pixels of `area` in an order of the whole plane: blocks of 16 x 16 row
-/// by row, those of a block in the order of evenBits. Any two pixels come in the same order in
+/// Calls visit(pixel) for the pixels of `area` in an order of the whole plane: blocks of 16 x 16
+/// row by row, those of a block in the order of evenBits. Any two pixels come in the same order in
 /// every area.
 template <class Visit>
 void visitInOrder(const PixelRectangle& area, const Visit& visit) {
@@ -71,11 +71,4 @@ inline std::vector<Pixel> pixelsInOrder(const PixelRectangle& area) {
   pixels.reserve(area.pixelCount());
   visitInOrder(area, [&](Pixel at) { pixels.push_back(at); });
   return pixels;
-}
-
-/// The point (x, y) of a picture of width x height pixels, counted in pixels from its lower left
-/// corner, on the image plane: the longer side is 1 long there, and the middle is (0, 0).
-inline Vec2d imagePoint(double x, double y, int width, int height) {
-  const double longer = std::max(width, height);
-  return {(x - width / 2.0) / longer, (y - height / 2.0) / longer};
 }

@@ -27,10 +27,13 @@ struct SamplingOptions {
     adaptive   ///< jittered, with more samples where colours differ
   };
   enum class FilterKind {
-    box,      ///< 1 where |x| and |y| are at most the radius
-    tent,     ///< falls evenly with the distance, to 0 at the radius
-    gaussian  ///< exp(-d^2 / (2 sigma^2)), cut off at gaussianCut sigma
+    box,          ///< 1 where |x| and |y| are at most the radius
+    tent,         ///< falls evenly with the distance, to 0 at the radius
+    gaussian,     ///< exp(-d^2 / (2 sigma^2)), cut off at gaussianCut sigma
+    blurredCells  ///< the pixel's kCells x kCells cells, after all cells were blurred: film.cpp
   };
+  /// Cells along the side of a pixel that blurredCells takes a pixel for.
+  static constexpr int kCells = 3;
   /// Where random and jittered samples take their numbers from.
   enum class Numbers {
     hashed,   ///< from a hash of the pixel and the sample
@@ -69,6 +72,23 @@ struct SamplingOptions {
   }
 };
 
+/// How the pixels of a picture lie on the camera's image plane, whose middle is (0, 0).
+struct PixelPlaces {
+  /// What is 1 long there.
+  enum class Unit {
+    longerSide,  ///< of the picture; pixels are squares
+    height,      ///< of the picture; pixels are squares
+    bothSides    ///< the picture is a square, whatever its pixels are
+  };
+  Unit unit = Unit::longerSide;
+  /// In pixels, 0..1: that side counts as so much shorter. At 1 it goes from the centre of its
+  /// first pixel to that of the last; one of a single pixel is 1 long then.
+  double inset = 0;
+  /// In pixels: all lie so much further to the left and down. At 0.5 the centre of a pixel lies
+  /// where its lower left corner would.
+  double shift = 0;
+};
+
 struct RenderOptions {
   int maxBounces = 5;               ///< 0..kMaxBounces secondary rays in a row
   float minWeight = 0.01f;          ///< a secondary ray of less weight is not traced
@@ -80,5 +100,6 @@ struct RenderOptions {
   bool nestedDielectrics = false;  ///< indices follow from what a ray is inside of, by priority
   bool fresnel = false;            ///< reflection follows from index and angle
   Epsilon epsilon;
+  PixelPlaces places;
   SamplingOptions sampling;
 };

@@ -68,9 +68,12 @@ struct RenderTargets {
   FloatImage* exactDepth = nullptr;
   FloatImage* exactNormals = nullptr;
   /// The t that is white and the t that is black in the depth image; they differ. Either may be the
-  /// larger one. What is not hit is black, in every picture but `color`; in exactDepth it lies behind
-  /// every distance: -infinity, or infinity where depthMin is the larger one.
+  /// larger one. What is not hit is black, in every picture but `color` and where a normal of
+  /// nothing has another colour; in exactDepth it lies behind every distance: -infinity, or
+  /// infinity where depthMin is the larger one.
   double depthMin = 0, depthMax = 1;
+  /// A normal n, 0 where nothing is hit, has the colour (n + 1) / 2, else |n|.
+  bool hasSignedNormals = false;
   /// Every pixel is the same as in the whole picture. Without `samples` where it is a part.
   PictureWindow window{};
   TileListener* listener = nullptr;  ///< null: nobody wants to know of tiles

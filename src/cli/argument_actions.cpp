@@ -104,10 +104,15 @@ void setCourse(Words words, Draft& draft) {
   draft.render.picture.course = &courseAt(words.choice(false));
 }
 
+/// One that says what it means only together with others.
+template <bool Draft::*member>
+void note(Words, Draft& draft) {
+  draft.*member = true;
+}
+
 /// Without effect, which is told.
 void addIdle(Words words, Draft& draft) {
-  std::string& idle = draft.render.picture.idle;
-  idle += (idle.empty() ? "-" : ", -") + words.name();
+  draft.idle += (draft.idle.empty() ? "-" : ", -") + words.name();
 }
 
 /// The numbers must be right all the same.
@@ -150,6 +155,12 @@ void setPattern(Words words, Draft& draft) {
   SamplingOptions& sampling = draft.render.picture.render.sampling;
   sampling.samples = words.integer(0, 1, SamplingOptions::kMaxSamples);
   sampling.pattern = pattern;
+}
+
+/// Of a grid, unless the course says otherwise.
+void setUniform(Words words, Draft& draft) {
+  setPattern<Pattern::uniform>(words, draft);
+  draft.render.picture.render.sampling.pattern = draft.render.picture.course->uniformSamples;
 }
 
 /// MIN MAX TOLERANCE: MAX is at least MIN.
@@ -272,7 +283,8 @@ constexpr ArgumentAction kActions[] = {
     {"epsilon", setEpsilon, Mode::rendering, kEpsilons},
 
     {"random_samples", setPattern<Pattern::random>},
-    {"uniform_samples", setPattern<Pattern::uniform>},
+    {"uniform_samples", setUniform},
+    {"regular_samples", setPattern<Pattern::uniform>},
     {"jittered_samples", setPattern<Pattern::jittered>},
     {"adaptive_samples", setAdaptive},
     {"box_filter", setFilter<FilterKind::box>},
@@ -313,6 +325,9 @@ constexpr ArgumentAction kActions[] = {
     {"pixel_obj", wantPicture<Kind::rays>},
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
+
+    {"jitter", note<&Draft::isJittered>},
+    {"filter", note<&Draft::isFiltered>},
 
     {"gui", addIdle},
     {"gouraud", addIdle},

@@ -21,16 +21,18 @@ constexpr const char* kList = R"(Reading:
 
 Pictures:
   -output FILE           image to write; the ending picks the format: .tga,
-                         .png, .bmp, .ppm or .pfm, and TGA where it is missing;
-                         so it does for the other images; - is standard output,
-                         for one image of a run
+                         .png, .bmp, .ppm or .pfm, and the course's where it is
+                         missing, which is TGA unless -course says otherwise; so
+                         it does for the other images; - is standard output, for
+                         one image of a run
   -size W H              image size, 1 to 65535 pixels each (default: 100 100)
   -depth MIN MAX FILE    write the depth image, white at distance MIN and black
-                         at MAX; FILE MIN MAX, where FILE does not look like a
-                         number, means the same
+                         at MAX (2016, 2020: the other way round); FILE MIN MAX,
+                         where FILE does not look like a number, means the same
   -normals FILE, -normal FILE
                          write the normal image: red, green, blue are |x|, |y|,
-                         |z| of the surface normal
+                         |z| of the surface normal (2016, 2020: (x + 1) / 2 and
+                         so on)
   -materials FILE        write a picture with a colour for each material, and
                          print which is which
   -heatmap FILE          write a picture of how many rays each pixel takes, and
@@ -52,7 +54,8 @@ Tracing:
 Samples in a pixel:
   -random_samples N      N rays at random places in each pixel, 1 to 65536
   -uniform_samples N     N rays in each pixel, at the centres of a square grid;
-                         N is rounded up to a square
+                         N is rounded up to a square (aalto: at random places)
+  -regular_samples N     the same, at the centres of a square grid in any course
   -jittered_samples N    N rays in each pixel, one at random in each cell of
                          such a grid
   -adaptive_samples MIN MAX TOLERANCE
@@ -141,6 +144,12 @@ Looking inside:
                          boxes
   -visualize_grid_count  the same in colours, from white for one object in a
                          cell to red for more than 32
+
+Of the pages of 2012 and 2016 alone (2020 too):
+  -jitter                nine rays in each pixel, one at random in each cell of a
+                         picture of three times the width and height
+  -filter                with -jitter: blur that picture before the nine are
+                         averaged
 
 Of the pages of 2004 alone:
   -gui                   accepted without effect: no window is opened

@@ -18,6 +18,9 @@ struct Draft : Request {
   };
   std::optional<Region> region;  ///< -region
   std::optional<Band> band;      ///< -tile
+  bool isJittered = false;       ///< -jitter
+  bool isFiltered = false;       ///< -filter
+  std::string idle;  ///< arguments that were accepted and do nothing, "-gui, -gouraud"; or ""
 };
 
 class ArgumentWords;

@@ -85,7 +85,7 @@ void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest
 /// of the folder; adds their pairs. Where rendering fails, none of them can be compared.
 void compareCommand(const TableCommand& command, const CompareRequest& request,
                     const std::vector<std::string>& expected, std::vector<ComparedPair>& pairs) {
-  std::vector<Output> outputs = outputsOf(command.render.results);
+  std::vector<Output> outputs = outputsOf(command.render);
   const std::string fault = attempt("to compare " + outputs[0].file,
                                     [&] { outputs = renderPictures(command.render, command.run); });
   for (Output& output : outputs) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/picture_file.h"
 #include "math/vec3.h"
 #include "render/render_options.h"
 #include "scene/scene_rules.h"
@@ -29,6 +30,13 @@ struct Course {
   RenderOptions render;
   SceneRules scene;
   CellRules cells;
+  PictureFormat format = PictureFormat::tga;  ///< of pictures whose names have no ending
+  bool isNearBlack = false;                   ///< -depth MIN MAX is black at MIN and white at MAX
+  bool hasSignedNormals = false;              ///< -normals shows (n + 1) / 2, not |n|
+  /// What -uniform_samples asks for; -regular_samples always asks for a grid.
+  SamplingOptions::Pattern uniformSamples = SamplingOptions::Pattern::uniform;
+  /// Whether -jitter and -filter, which its pages' commands have, are taken.
+  bool hasJitter = false;
   /// Whether -gui, -gouraud and -tessellation, which its pages' commands have, are taken.
   bool hasWindows = false;
 };

@@ -469,9 +469,11 @@ The ending of an image's name picks its format, in small letters or capitals:
         so that colours above 1 and below 0 are kept (a -depth image in PFM goes
         beyond 0 and 1 too; where nothing is hit it is -infinity, or infinity
         where MIN is above MAX)
-A name without an ending gives a TGA; any other ending is wrong usage, so that
-no TGA is called out.jpg. Several images may be asked for in one run: each ray
-is then cast only once, but for -heatmap and -pixel, which trace theirs again.
+A name without an ending gives a TGA, or what the course of -course writes (see
+'raytracer -help course'), but a part of an image always a TGA; any other ending
+is wrong usage, so that no TGA is called out.jpg. Several images may be asked
+for in one run: each ray is then cast only once, but for -heatmap and -pixel,
+which trace theirs again.
 
 ALL OR NOTHING
 An image is either the old file or the whole new one: it is written beside its

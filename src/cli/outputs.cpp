@@ -103,7 +103,7 @@ const KindRow& rowOf(Kind kind) { return kKinds[std::size_t(kind)]; }
 
 /// PFM alone keeps colours as they were computed, and only of pictures that have such.
 bool wantsFloats(const Output& output) {
-  return rowOf(output.kind).exact && formatOf(output.file) == PictureFormat::pfm;
+  return rowOf(output.kind).exact && output.format == PictureFormat::pfm;
 }
 
 /// In the form that its kind and the ending of its file ask for. Throws OutputError.
@@ -112,7 +112,7 @@ void write(const Output& output, int threads) {
     return writeFile(output.file, output.text.data(), output.text.size());
   }
   if (wantsFloats(output)) return writePicture(output.exact, output.file);
-  writePicture(output.image, output.file, threads, output.place);
+  writePicture(output.image, output.file, threads, output.place, output.format);
 }
 
 }  // namespace
@@ -157,8 +157,13 @@ void checkMergedFiles(const MergeRequest& merge) {
   }
 }
 
-std::vector<Output> outputsOf(const ResultRequest& results) {
-  return {results.outputs.begin(), results.outputs.end()};
+std::vector<Output> outputsOf(const RenderRequest& render) {
+  const PictureRequest& picture = render.picture;
+  std::vector<Output> outputs;
+  for (const OutputRequest& output : render.results.outputs) {
+    outputs.emplace_back(output, picture.isPart ? PictureFormat::tga : picture.course->format);
+  }
+  return outputs;
 }
 
 Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind) {
@@ -194,6 +199,7 @@ void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
 /// The window counts from the lower left corner, as the camera does.
 RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outputs) {
   RenderTargets targets;
+  targets.hasSignedNormals = picture.course->hasSignedNormals;
   targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
   for (Output& output : outputs) {
     const KindRow& row = rowOf(output.kind);
@@ -203,6 +209,7 @@ RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outp
     if (output.kind != Kind::depth) continue;
     targets.depthMin = output.depthMin;
     targets.depthMax = output.depthMax;
+    if (picture.course->isNearBlack) std::swap(targets.depthMin, targets.depthMax);
   }
   return targets;
 }

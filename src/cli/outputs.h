@@ -25,8 +25,10 @@ void checkMergedFiles(const MergeRequest& merge);
 
 /// An output and what is in it. One without a file is traced and not written.
 struct Output : OutputRequest {
-  explicit Output(const OutputRequest& request) : OutputRequest(request) {}
+  explicit Output(const OutputRequest& request, PictureFormat unnamed = PictureFormat::tga)
+      : OutputRequest(request), format(formatOf(file, unnamed)) {}
 
+  PictureFormat format;    ///< of the file, but for `rays`
   Image image;             ///< empty until makeImages, of `rays` always
   TgaPlace place;          ///< of a part, where the file is a TGA
   FloatImage exact;        ///< its unclamped colours, empty where the format of the file has none
@@ -34,8 +36,9 @@ struct Output : OutputRequest {
   bool isWritable = true;  ///< false where this was tried and complained of
 };
 
-/// The outputs that are wanted, without their images.
-std::vector<Output> outputsOf(const ResultRequest& results);
+/// The outputs that are wanted, without their images. A name without an ending is a file of the
+/// course's format, but a part's always a TGA.
+std::vector<Output> outputsOf(const RenderRequest& render);
 
 /// The output of this kind, or null.
 Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind);

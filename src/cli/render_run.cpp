@@ -53,7 +53,7 @@ class RenderRun {
       : request_(request),
         run_(run),
         scene_(readScene(request, run, notes_)),
-        outputs_(outputsOf(request.results)) {}
+        outputs_(outputsOf(request)) {}
 
   const SceneParser& scene() const { return scene_; }
   /// To be had when all is traced; the checkpoint has then done its service.

@@ -129,6 +129,44 @@ void checkMode(const Request& request, const std::vector<const ArgumentRow*>& gi
   }
 }
 
+/// An argument that only `courses` know has been given with another one.
+[[noreturn]] void failCourse(const std::string& argument, const char* courses,
+                             const PictureRequest& picture) {
+  failUsage(argument, ": expected -course ", courses, " too, found the course of ",
+            std::string(picture.course->name));
+}
+
+/// What opens a window there.
+void takeIdle(Draft& draft) {
+  PictureRequest& picture = draft.render.picture;
+  if (draft.idle.empty()) return;
+  if (!picture.course->hasWindows) failCourse(draft.idle, "2004", picture);
+  picture.notes.push_back("no window is opened: " + draft.idle + " without effect");
+}
+
+/// -jitter sends a ray through each cell of a picture kCells times as wide and high, where its
+/// pixels would lie; -filter blurs that picture.
+void takeJitter(Draft& draft) {
+  PictureRequest& picture = draft.render.picture;
+  SamplingOptions& sampling = picture.render.sampling;
+  if (!draft.isJittered && !draft.isFiltered) return;
+  const char* const argument = draft.isJittered ? "-jitter" : "-filter";
+  if (!picture.course->hasJitter) failCourse(argument, "2012, 2016 or 2020", picture);
+  if (!draft.isJittered) {
+    picture.notes.push_back("nothing is filtered: -filter without -jitter has no effect");
+    return;
+  }
+  if (!sampling.isPlain()) {
+    failUsage("-jitter cannot be given together with other samples or filters");
+  }
+  sampling.pattern = SamplingOptions::Pattern::jittered;
+  sampling.samples = SamplingOptions::kCells * SamplingOptions::kCells;
+  picture.render.places.inset /= SamplingOptions::kCells;
+  if (!draft.isFiltered) return;
+  sampling.filter = SamplingOptions::FilterKind::blurredCells;
+  sampling.hasBorderSamples = false;
+}
+
 /// What cannot do without another argument: cells need a grid, and a scene something to be done.
 void checkComplete(const Draft& draft) {
   const ResultRequest& results = draft.render.results;
@@ -140,11 +178,6 @@ void checkComplete(const Draft& draft) {
     failUsage(counts ? "-visualize_grid_count" : "-visualize_grid",
               ": expected a grid to draw, for example -grid 20 20 20, found none",
               isTree ? " but -accel tree" : "");
-  }
-  const PictureRequest& picture = draft.render.picture;
-  if (!picture.idle.empty() && !picture.course->hasWindows) {
-    failUsage(picture.idle, ": expected -course 2004 too, found the course of ",
-              std::string(picture.course->name));
   }
   if (draft.render.picture.scene.empty()) {
     failUsage("expected a scene, found no -input FILE");
@@ -252,6 +285,8 @@ Request parseRequest(const std::vector<std::string>& words, const RunRequest& de
   checkMode(draft, given);
   if (draft.compare.isWanted() || draft.merge.isWanted()) return draft;
   checkComplete(draft);
+  takeIdle(draft);
+  takeJitter(draft);
   if (picture.acceleration.cellPicture != Acceleration::CellPicture::none) {
     picture.render.shadows &= picture.course->cells.haveShadows;
   }

@@ -51,7 +51,7 @@ struct PictureRequest {
   const Course* course = &courseAt(0);  ///< not owned
   RenderOptions render;                 ///< the course's, as arguments change them
   SceneRules rules;                     ///< likewise
-  std::string idle;  ///< arguments that were accepted and do nothing, "-gui, -gouraud"; or ""
+  std::vector<std::string> notes;       ///< on arguments that were accepted and do nothing
   Acceleration acceleration;
 };
 
@@ -69,8 +69,8 @@ struct OutputRequest {
   };
   Kind kind = Kind::color;
   std::string file;     ///< "-" is standard output
-  double depthMin = 0;  ///< of `depth`: the distance that is drawn white
-  double depthMax = 0;  ///< likewise black; never equal to depthMin
+  double depthMin = 0;  ///< of `depth`: the distance that is drawn white, or, by Course, black
+  double depthMax = 0;  ///< likewise black, or white; never equal to depthMin
   int zoom = 1;  ///< of `samples` and `filter`: their pictures' sides are at most kMaxImageSide
 
   /// The argument that asks for it, with its dash.

@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "accel/compiled_scene.h"
-#include "accel/test_tally.h"
 #include "accel/grid/grid.h"
 #include "accel/grid/grid_view.h"
+#include "accel/test_tally.h"
 #include "cli/program.h"
 #include "render/sampler.h"
 #include "scene/input_error.h"
@@ -35,13 +35,14 @@ void warnOfSimd(SimdLevel wanted) {
 }
 
 /// Numbers of samples may have been rounded up.
-void warnOfSamples(const SamplingOptions& wanted) {
+void warnOfSamples(const SamplingOptions& wanted, const Course& course) {
   const bool isAdaptive = wanted.pattern == Pattern::adaptive;
   const Sampler sampler(wanted);
   const int first = sampler.getNumFirst(), most = sampler.getNumSamples();
   if (wanted.pattern == Pattern::center || (first == wanted.samples && !isAdaptive)) return;
   if (first == wanted.samples && most == wanted.maxSamples) return;
-  std::string argument = wanted.pattern == Pattern::uniform ? "-uniform" : "-jittered";
+  const char* const grid = course.uniformSamples == Pattern::uniform ? "-uniform" : "-regular";
+  std::string argument = wanted.pattern == Pattern::uniform ? grid : "-jittered";
   std::string numbers = std::to_string(wanted.samples), rounded = std::to_string(first);
   if (isAdaptive) {
     argument = "-adaptive";
@@ -83,10 +84,8 @@ void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet)
   if (!quiet) {
     for (const std::string& warning : scene.getWarnings()) complain("warning: " + warning);
     warnOfSimd(picture.acceleration.simd);
-    warnOfSamples(options.sampling);
-    if (!picture.idle.empty()) {
-      complain("note: no window is opened: " + picture.idle + " without effect");
-    }
+    warnOfSamples(options.sampling, *picture.course);
+    for (const std::string& note : picture.notes) complain("note: " + note);
     warnOfThinGlass(scene.getThinnestSolid(), options.epsilon, displayName(picture.scene));
   }
   // These ask what a ray is inside of, which only a closed mesh can tell.

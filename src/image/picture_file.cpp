@@ -78,11 +78,11 @@ void write(const std::string& path, const EncodeTo& encodeTo) {
 
 }  // namespace
 
-std::optional<PictureFormat> knownFormatOf(const std::string& path) {
+std::optional<PictureFormat> knownFormatOf(const std::string& path, PictureFormat unnamed) {
   const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] == '/') return PictureFormat::tga;
+  if (dot == std::string::npos || path[dot] == '/') return unnamed;
   std::string ending = path.substr(dot + 1);
-  if (ending.empty()) return PictureFormat::tga;
+  if (ending.empty()) return unnamed;
   // Of ASCII alone, whatever the locale says of capitals.
   for (char& c : ending) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -92,12 +92,13 @@ std::optional<PictureFormat> knownFormatOf(const std::string& path) {
   return PictureFormat(found - std::begin(kPictureEndings));
 }
 
-PictureFormat formatOf(const std::string& path) {
-  return knownFormatOf(path).value_or(PictureFormat::tga);
+PictureFormat formatOf(const std::string& path, PictureFormat unnamed) {
+  return knownFormatOf(path, unnamed).value_or(PictureFormat::tga);
 }
 
-void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place) {
-  const PictureFormat format = formatOf(path);
+void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place,
+                  PictureFormat unnamed) {
+  const PictureFormat format = formatOf(path, unnamed);
   // TGA has 16 bits for each side. Told before the file is opened, which stays as it is.
   if (format == PictureFormat::tga && std::max(image.Width(), image.Height()) > 65535) {
     throw OutputError(path, "a TGA image is at most 65535 pixels wide and high, this one is " +

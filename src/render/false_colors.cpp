@@ -117,7 +117,7 @@ std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& g
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
   const PixelRectangle picture = {0, 0, width, height};
   const RayTracer tracer(scene, geometry, options);
-  const PictureView view = {*scene.getCamera(), width, height};
+  const PictureView view = {*scene.getCamera(), options.places, width, height};
   const Sampler sampler(options.sampling, height);
   const double samples = options.sampling.samples;  // of a pixel, as far as they can be foretold
   if (listener) listener->begins(samples * width * height);

@@ -2,15 +2,23 @@
 //
 // A filter is a function of the place and of one size: a box, 1 in a square around the centre, its
 // border included; a tent, really a cone, 1 - d / size at the distance d; or a gaussian,
-// exp(-d^2 / (2 size^2)) up to d = 2 size, and 0 beyond, unless it is not to be cut. A sample is
-// splatted: added to every pixel within the filter's reach with the weight that it has as seen from
-// there, so a film needs each sample once and keeps none. Colours and places of the two pictures
-// are those of the course's own: MIT 6.837, "Supersampling and Antialiasing", 2004.
+// exp(-d^2 / (2 size^2)) up to d = 2 size, and 0 beyond, unless it is not to be cut.
+//
+// That of cells is what becomes of a sample for each cell of a third of a pixel when every row of
+// cells, then every column, is convolved with five weights and the cells of a pixel are averaged:
+// along each axis the pixel takes 1/3 of the five weights around each of its three cells, in all
+// seven, by the distance from the middle cell. Beyond the edges of the picture the outermost cells
+// are repeated: the sample of such a cell is added at their places too.
+//
+// A sample is splatted: added to every pixel within the filter's reach with the weight that it has
+// as seen from there, so a film needs each sample once and keeps none. Colours and places of the
+// two pictures are those of the course's own: MIT 6.837, "Supersampling and Antialiasing", 2004.
 #include "render/film.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "math/functions.h"
 
@@ -23,6 +31,36 @@ int pixelsWithin(double radius) { return int(std::ceil(std::max(0.0, radius - 0.
 
 constexpr Vec3f kBeyond(0, 0, 0.5f), kLine(0, 0, 1);
 
+constexpr int kCells = SamplingOptions::kCells;
+/// Three times what a cell counts for a pixel, by its distance from the pixel's middle cell. The
+/// five weights are .1201 .2339 .2931 .2339 .1201; their sum, 1.0011, is divided by as all are.
+constexpr double kCellWeights[] = {0.2339 + 0.2931 + 0.2339, 0.1201 + 0.2339 + 0.2931,
+                                   0.1201 + 0.2339, 0.1201};
+
+/// `place` is the distance from the pixel's centre, in pixels.
+double cellWeight(double place) {
+  const auto cell = std::size_t(std::fabs(std::floor(place * kCells + 0.5)));
+  return cell < std::size(kCellWeights) ? kCellWeights[cell] : 0;
+}
+
+/// A coordinate of a sample: the pixel, and from 0 to 1 in it.
+struct Coordinate {
+  int pixel;
+  double offset;
+};
+
+/// One of a sample in the picture, along a side of which the pixels from <= pixel < to are; and,
+/// where its cell is the first or last one there, the middles of the cells of the pixel beyond.
+std::vector<Coordinate> repeated(const Coordinate& own, int from, int to) {
+  std::vector<Coordinate> all = {own};
+  for (int cell = 0; cell < kCells; ++cell) {
+    const double middle = (cell + 0.5) / kCells;
+    if (own.pixel == from && own.offset * kCells < 1) all.push_back({from - 1, middle});
+    if (own.pixel == to - 1 && own.offset * kCells >= kCells - 1) all.push_back({to, middle});
+  }
+  return all;
+}
+
 /// The whole number below a coordinate within a pixel, counted in enlarged pixels.
 int placeOf(double offset, int zoom) { return std::min(int(offset * zoom), zoom - 1); }
 
@@ -33,7 +71,8 @@ Filter::Filter(const SamplingOptions& options)
       size_(options.filterSize),
       cut_(options.gaussianCut),
       isSingle_(options.isFilterSingle),
-      supportRadius_(pixelsWithin(kind_ == FilterKind::gaussian ? 2 * size_ : size_)) {}
+      supportRadius_(
+          repeatsEdges() ? 1 : pixelsWithin(kind_ == FilterKind::gaussian ? 2 * size_ : size_)) {}
 
 double Filter::getWeight(double x, double y) const {
   const double squared = x * x + y * y;
@@ -43,6 +82,8 @@ double Filter::getWeight(double x, double y) const {
       return std::fabs(x) <= size_ && std::fabs(y) <= size_ ? 1 : 0;
     case FilterKind::tent:
       return std::max(0.0, 1 - std::sqrt(squared) / size_);
+    case FilterKind::blurredCells:
+      return cellWeight(x) * cellWeight(y);
     case FilterKind::gaussian:
       break;
   }
@@ -51,11 +92,25 @@ double Filter::getWeight(double x, double y) const {
                               : 0;  // 0 / 0, where sigma^2 underflows, is beyond
 }
 
-Film::Film(const PixelRectangle& area, const Filter& filter)
-    : area_(area), filter_(filter), filtered_(area.pixelCount()), own_(area.pixelCount()) {}
+Film::Film(const PixelRectangle& area, const Filter& filter, const PixelRectangle& picture)
+    : area_(area),
+      picture_(picture),
+      filter_(filter),
+      filtered_(area.pixelCount()),
+      own_(area.pixelCount()) {}
 
 void Film::addSample(const Sample& sample, const Vec3f& color, double share) {
+  if (!filter_.repeatsEdges()) return addAt(sample, color, share);
   const auto [at, offset] = sample;
+  for (const Coordinate& y : repeated({at.j, offset.y()}, picture_.bottom, picture_.top)) {
+    for (const Coordinate& x : repeated({at.i, offset.x()}, picture_.left, picture_.right)) {
+      addAt({{x.pixel, y.pixel}, {x.offset, y.offset}}, color, share);
+    }
+  }
+}
+
+void Film::addAt(const Sample& place, const Vec3f& color, double share) {
+  const auto [at, offset] = place;
   const int reach = filter_.getSupportRadius();
   const int left = std::max(at.i - reach, area_.left),
             right = std::min(at.i + reach + 1, area_.right);

@@ -34,7 +34,7 @@ bool isFinite(const Vec3d& v) {
 /// another question, as samples around the pixel may have a share in it.
 Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
                  const PictureWindow& place, const std::vector<RayObserver*>& observers) {
-  const PictureView view = {*scene.getCamera(), place.width, place.height};
+  const PictureView view = {*scene.getCamera(), options.places, place.width, place.height};
   runOnThreads(1, tracingStack(options), [&](int) {
     for (RayObserver* const observer : observers) {
       const WatchedTracer watched(scene, geometry, options, *observer);

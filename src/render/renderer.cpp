@@ -48,11 +48,12 @@ Vec2<int> sizeOf(const RenderTargets& targets) {
 }
 
 /// What the camera sees: the whole picture, which the targets may be a window of.
-PictureView viewOf(const SceneParser& scene, const RenderTargets& targets) {
+PictureView viewOf(const SceneParser& scene, const PixelPlaces& places,
+                   const RenderTargets& targets) {
   const Vec2<int> size = sizeOf(targets);
   const PictureWindow& window = targets.window;
-  if (window.width > 0) return {*scene.getCamera(), window.width, window.height};
-  return {*scene.getCamera(), size.x(), size.y()};
+  if (window.width > 0) return {*scene.getCamera(), places, window.width, window.height};
+  return {*scene.getCamera(), places, size.x(), size.y()};
 }
 
 /// True where colours come of samples, or the samples themselves are wanted.
@@ -84,8 +85,8 @@ Vec3f depthColor(const RenderTargets& targets, const Hit& hit) {
   return {grey, grey, grey};
 }
 
-Vec3f normalColor(const Hit& hit) {
-  const Vec3f n(hit.getNormal());
+Vec3f normalColor(const RenderTargets& targets, const Vec3f& n) {
+  if (targets.hasSignedNormals) return (n + Vec3f(1, 1, 1)) * 0.5f;
   return {std::fabs(n.x()), std::fabs(n.y()), std::fabs(n.z())};
 }
 
@@ -97,7 +98,8 @@ void setSurface(const RenderTargets& targets, const Hit& hit, Pixel at) {
     if (targets.exactDepth) targets.exactDepth->setPixel(at.i, at.j, depthColor(targets, hit));
   }
   if (targets.normals) {
-    set(targets.normals, targets.exactNormals, at, found ? normalColor(hit) : Vec3f());
+    const Vec3f normal = found ? Vec3f(hit.getNormal()) : Vec3f();
+    set(targets.normals, targets.exactNormals, at, normalColor(targets, normal));
   }
   if (targets.materials) {
     targets.materials->setPixel(at.i, at.j,
@@ -162,7 +164,8 @@ Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int
   const int reach = targets.color ? filter.getSupportRadius() : 0;  // of samples that count
   const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
     const PixelRectangle inPicture = area.moved(targets.window.left, targets.window.bottom);
-    Film film(inPicture, filter);
+    const PixelRectangle whole = {0, 0, view.width, view.height};
+    Film film(inPicture, filter, whole);
     if (targets.samples) drawSamplesGround(*targets.samples, targets.samplesZoom, area);
     const auto take = [&](const Sample& sample, const Vec3f& color, double share) {
       film.addSample(sample, color, share);
@@ -170,7 +173,7 @@ Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int
         drawSample(*targets.samples, targets.samplesZoom, sample, color);
       }
     };
-    const PixelRectangle around = inPicture.grown(reach), whole = {0, 0, view.width, view.height};
+    const PixelRectangle around = inPicture.grown(reach);
     takeSamples({view, tracer, sampler, options.tolerance},
                 options.hasBorderSamples ? around : around.within(whole), take);
     if (!targets.color) return;
@@ -225,7 +228,7 @@ void renderTiles(const Pass& pass, const RayTracer& tracer, int threads, RayCoun
 void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
             int threads, const RenderTargets& targets, RayCounts* counts) {
   const RayTracer tracer(scene, geometry, options);
-  const PictureView view = viewOf(scene, targets);
+  const PictureView view = viewOf(scene, options.places, targets);
   // Rays around a tile are traced again: to count the same, tiles must have the same size.
   const int tileThreads = counts ? kCountedThreads : threads;
   const std::vector<Pass> passes = passesOf(view, targets, options.sampling, tileThreads);

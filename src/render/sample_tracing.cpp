@@ -153,6 +153,22 @@ class AdaptiveSampling {
 
 }  // namespace
 
+PictureView::PictureView(const Camera& ofCamera, const PixelPlaces& places, int pictureWidth,
+                         int pictureHeight)
+    : camera(ofCamera),
+      width(pictureWidth),
+      height(pictureHeight),
+      middle_(width / 2.0 + places.shift, height / 2.0 + places.shift) {
+  using Unit = PixelPlaces::Unit;
+  const auto unitOf = [&](int side) {
+    const int pixels = places.unit == Unit::bothSides ? side
+                       : places.unit == Unit::height  ? height
+                                                      : std::max(width, height);
+    return pixels > places.inset ? pixels - places.inset : 1;
+  };
+  unit_ = {unitOf(width), unitOf(height)};
+}
+
 void setEyeRays(const PictureView& view, const Sample* samples, int count, WaveTracer& tracer,
                 WaveRays& rays) {
   const Arena::Frame frame(tracer.arena());

@@ -11,16 +11,25 @@
 #include "render/wave_tables.h"
 #include "render/wave_tracer.h"
 
-/// A camera and the size of the whole picture that it takes, in pixels. The camera is not owned.
-struct PictureView {
+/// A camera and the whole picture that it takes.
+class PictureView {
+ public:
+  /// The camera is not owned. The picture is `pictureWidth` x `pictureHeight` pixels, at least one.
+  PictureView(const Camera& ofCamera, const PixelPlaces& places, int pictureWidth,
+              int pictureHeight);
+
   const Camera& camera;
-  int width, height;
+  const int width, height;
 
   /// The point of a sample on the camera's image plane.
   Vec2d pointOf(const Sample& sample) const {
-    return imagePoint(sample.at.i + sample.offset.x(), sample.at.j + sample.offset.y(), width,
-                      height);
+    return {(sample.at.i + sample.offset.x() - middle_.x()) / unit_.x(),
+            (sample.at.j + sample.offset.y() - middle_.y()) / unit_.y()};
   }
+
+ private:
+  Vec2d middle_;  // what lies at (0, 0), in pixels from the lower left corner
+  Vec2d unit_;    // how many pixels are 1 long
 };
 
 /// Fills `rays`, which has room for them, with the eye rays of `count` samples, for `tracer`.
