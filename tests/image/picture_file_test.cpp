@@ -65,6 +65,18 @@ TEST("the ending picks the format, TGA where it is missing or unknown") {
   CHECK(formatOf(".png") == F::png);
 }
 
+TEST("a name without an ending has the format that is said, and no other name has") {
+  using F = PictureFormat;
+  for (const char* unnamed : {"a", "a.", "", "b.png/a", "-"}) {
+    CHECK(formatOf(unnamed, F::png) == F::png && *knownFormatOf(unnamed, F::bmp) == F::bmp);
+  }
+  CHECK(formatOf("a.tga", F::png) == F::tga && formatOf("a.jpg", F::png) == F::tga);
+  CHECK(!knownFormatOf("a.jpg", F::png));
+  const check::ScratchFolder scratch;
+  writePicture(Image(2, 2), scratch.file("a"), 1, {}, F::bmp);
+  CHECK_EQUAL(check::contentOf(scratch.file("a")).substr(0, 2), "BM");
+}
+
 TEST("a picture of all bytes comes back from every format") {
   Image image(64, 12);
   for (int i = 0; i < 768; ++i) {

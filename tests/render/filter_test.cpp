@@ -1,5 +1,8 @@
 // Filters: weights against their formulas, how far they reach, and the picture of them.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "check.h"
@@ -103,4 +106,102 @@ TEST("the picture of a filter has its weights around the middle pixel, and a gri
     CHECK_EQUAL(picture.getPixel(line, 3), (Rgb8{0, 0, 255}));
     if (line <= 24) CHECK_EQUAL(picture.getPixel(3, line), (Rgb8{0, 0, 255}));
   }
+}
+
+namespace {
+
+constexpr int kSide = 9;  // cells along the side of a picture of 3 x 3 pixels
+using Cells = std::array<std::array<double, kSide>, kSide>;
+
+/// Each row convolved with the five weights, the cells at its ends repeated.
+Cells rowsBlurred(const Cells& cells) {
+  constexpr double kWeights[] = {.1201, .2339, .2931, .2339, .1201};
+  Cells blurred{};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (int k = -2; k <= 2; ++k)
+        blurred[y][x] += kWeights[k + 2] * cells[y][std::clamp(x + k, 0, kSide - 1)];
+  return blurred;
+}
+
+Cells transposed(const Cells& cells) {
+  Cells turned{};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) turned[x][y] = cells[y][x];
+  return turned;
+}
+
+SamplingOptions blurringCells() {
+  SamplingOptions options;
+  options.filter = Kind::blurredCells;
+  return options;
+}
+
+/// The pixels of `area` of the 3 x 3 whose cells have one sample each, in their middles.
+Film filmOf(const Cells& cells, const PixelRectangle& area) {
+  Film film(area, Filter(blurringCells()), {0, 0, 3, 3});
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const auto grey = float(cells[y][x]);
+      film.addSample({{x / 3, y / 3}, {(x % 3 + 0.5) / 3, (y % 3 + 0.5) / 3}}, {grey, grey, grey},
+                     1);
+    }
+  }
+  return film;
+}
+
+}  // namespace
+
+TEST("blurred cells weigh by their distance in cells, as far as three") {
+  const Filter filter{blurringCells()};
+  CHECK_EQUAL(filter.getSupportRadius(), 1);
+  const double weights[] = {0.2339 + 0.2931 + 0.2339, 0.1201 + 0.2339 + 0.2931, 0.1201 + 0.2339,
+                            0.1201, 0};
+  for (int cell = -4; cell <= 4; ++cell) {
+    for (const double within : {-0.16, 0.0, 0.16}) {
+      CHECK_NEAR(filter.getWeight(cell / 3.0 + within, 0), weights[std::abs(cell)] * weights[0],
+                 1e-15);
+      CHECK_NEAR(filter.getWeight(1 / 3.0, cell / 3.0 + within),
+                 weights[1] * weights[std::abs(cell)], 1e-15);
+    }
+  }
+}
+
+TEST("an impulse in the middle, and one in a corner, whose edges are repeated") {
+  Cells middle{}, corner{};
+  middle[4][4] = corner[0][0] = 1;
+  // Of each axis a third of what the three cells of the pixel get, over the sum of the weights.
+  const double own = 0.7609 / 3 / 1.0011, beside = 0.1201 / 3 / 1.0011;
+  const PixelRectangle all = {0, 0, 3, 3};
+  const Film inner = filmOf(middle, all);
+  CHECK_NEAR(inner.getColor({1, 1}).r(), own * own, 1e-7);
+  CHECK_NEAR(inner.getColor({0, 1}).r(), own * beside, 1e-7);
+  CHECK_NEAR(inner.getColor({2, 2}).r(), beside * beside, 1e-7);
+  // The corner's cell stands for all below and to the left: distances 1, 2, 3 from the middle cell.
+  const double edge = (0.6471 + 0.354 + 0.1201) / 3 / 1.0011;
+  const Film outer = filmOf(corner, all);
+  CHECK_NEAR(outer.getColor({0, 0}).r(), edge * edge, 1e-7);
+  CHECK_EQUAL(outer.getColor({1, 0}).r(), 0.0f);  // its nearest cell is 4 from its middle one
+}
+
+TEST("blurred cells are rows and columns convolved, then blocks averaged, in parts as in a whole") {
+  double sums[3][3] = {};
+  for (int impulse = 0; impulse < kSide * kSide; ++impulse) {
+    Cells cells{};
+    cells[impulse / kSide][impulse % kSide] = 1;
+    const Cells blurred = transposed(rowsBlurred(transposed(rowsBlurred(cells))));
+    const Film whole = filmOf(cells, {0, 0, 3, 3});
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        double block = 0;
+        for (int k = 0; k < 9; ++k) block += blurred[3 * j + k / 3][3 * i + k % 3] / 9;
+        const Vec3f color = whole.getColor({i, j});
+        CHECK_NEAR(color.r(), block / (1.0011 * 1.0011), 1e-7);
+        CHECK(filmOf(cells, {i, j, i + 1, j + 1}).getColor({i, j}) == color);
+        sums[j][i] += color.r();
+      }
+    }
+  }
+  for (const auto& row : sums)
+    for (const double sum : row) CHECK_NEAR(sum, 1, 1e-6);
 }

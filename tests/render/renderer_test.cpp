@@ -192,6 +192,21 @@ TEST("the normal image holds absolute components in world space, black on a miss
   CHECK_EQUAL(missed.getPixel(0, 0), Rgb8());
 }
 
+TEST("signed normals are (n + 1) / 2, and 1/2 on a miss") {
+  const SceneParser sphere = whiteShapes(4, 1, "Sphere { center 1 0.28 0 radius 1 }");
+  Image normals(2, 1);
+  FloatImage exact(2, 1);
+  RenderTargets targets;
+  targets.normals = &normals;
+  targets.exactNormals = &exact;
+  targets.hasSignedNormals = true;
+  // The sphere is hit at height -0.28, where its normal is (0, -0.28, 0.96).
+  render(sphere, *sphere.getGroup(), RenderOptions(), 1, targets);
+  CHECK_EQUAL(normals.getPixel(1, 0), (Rgb8{127, 91, 249}));  // 0.36 and 0.98
+  CHECK_EQUAL(normals.getPixel(0, 0), (Rgb8{127, 127, 127}));
+  CHECK_EQUAL(exact.getPixel(0, 0), Vec3f(0.5f, 0.5f, 0.5f));
+}
+
 TEST("three pictures in one run are those of three runs, for any number of threads") {
   const SceneParser scene = parseWhole(
       "PerspectiveCamera { center 0 1 6 direction 0 -0.1 -1 up 0 1 0 angle 40 }"
