@@ -326,9 +326,6 @@ constexpr ArgumentAction kActions[] = {
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
 
-    {"jitter", note<&Draft::isJittered>},
-    {"filter", note<&Draft::isFiltered>},
-
     {"gui", addIdle},
     {"gouraud", addIdle},
     {"tessellation", addTessellation},

@@ -145,12 +145,6 @@ Looking inside:
   -visualize_grid_count  the same in colours, from white for one object in a
                          cell to red for more than 32
 
-Of the pages of 2012 and 2016 alone (2020 too):
-  -jitter                nine rays in each pixel, one at random in each cell of a
-                         picture of three times the width and height
-  -filter                with -jitter: blur that picture before the nine are
-                         averaged
-
 Of the pages of 2004 alone:
   -gui                   accepted without effect: no window is opened
   -gouraud               the same

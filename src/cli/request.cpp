@@ -266,25 +266,10 @@ int threadCount(const RunRequest& run) {
   return std::min(wanted, std::max(1, run.memoryLimit / kMegabytesEach));
 }
 
-}  // namespace
-
-const OutputRequest* ResultRequest::find(OutputRequest::Kind kind) const {
-  for (const OutputRequest& output : outputs)
-    if (output.kind == kind) return &output;
-  return nullptr;
-}
-
-Request parseRequest(const std::vector<std::string>& words, const RunRequest& defaults) {
-  Draft draft;
+/// Takes what a course may not know, checks what has to fit the picture's size, and finds the area
+/// that is rendered.
+void fitPicture(Draft& draft) {
   PictureRequest& picture = draft.render.picture;
-  draft.run = defaults;
-  if (words.empty()) draft.text = ProgramText::shortHelp;
-  const std::vector<const ArgumentRow*> given = readArguments(words, draft);
-  draft.run.threads = threadCount(draft.run);
-  if (draft.text != ProgramText::none) return draft;
-  checkMode(draft, given);
-  if (draft.compare.isWanted() || draft.merge.isWanted()) return draft;
-  checkComplete(draft);
   takeIdle(draft);
   takeJitter(draft);
   if (picture.acceleration.cellPicture != Acceleration::CellPicture::none) {
@@ -297,5 +282,26 @@ Request parseRequest(const std::vector<std::string>& words, const RunRequest& de
   picture.area = draft.region ? areaOf(*draft.region, picture)
                  : draft.band ? areaOf(*draft.band, picture)
                               : PixelRectangle{0, 0, picture.width, picture.height};
+}
+
+}  // namespace
+
+const OutputRequest* ResultRequest::find(OutputRequest::Kind kind) const {
+  for (const OutputRequest& output : outputs)
+    if (output.kind == kind) return &output;
+  return nullptr;
+}
+
+Request parseRequest(const std::vector<std::string>& words, const RunRequest& defaults) {
+  Draft draft;
+  draft.run = defaults;
+  if (words.empty()) draft.text = ProgramText::shortHelp;
+  const std::vector<const ArgumentRow*> given = readArguments(words, draft);
+  draft.run.threads = threadCount(draft.run);
+  if (draft.text != ProgramText::none) return draft;
+  checkMode(draft, given);
+  if (draft.compare.isWanted() || draft.merge.isWanted()) return draft;
+  checkComplete(draft);
+  fitPicture(draft);
   return draft;
 }
