@@ -1,7 +1,7 @@
 # Builds the fuzz targets and runs each for a while. To be read by a POSIX shell script that has
 # read tests/setup.sh.
 
-fuzz_targets='scene picture obj tga png options'
+fuzz_targets='scene picture obj tga png bmp netpbm options'
 fuzz_build=$build/fuzz
 
 # The first clang that comes with libFuzzer and the sanitizers; nothing where there is none.

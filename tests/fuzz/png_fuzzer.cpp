@@ -1,7 +1,8 @@
 // Fuzz target: the PNG reader. As no made-up input has right checksums, it is taken three ways:
 // - with PNG's signature: as a file, once as it is and once with every chunk's CRC put right;
 // - else, where the first byte is odd: as the deflate data of a stream;
-// - else as a picture: width - 1, height - 1, colour type, depth, then what the zlib stream holds.
+// - else as a picture: width - 1, height - 1, colour type and interlacing, depth, then what the zlib
+//   stream holds.
 // Demands: errors are ImageError or InflateError and one line that prints; a picture that was read
 // has pixels; one that was well wrapped is read exactly when its size fits.
 #include <algorithm>
@@ -48,8 +49,10 @@ Bytes wrapped(const std::uint8_t* data, std::size_t size) {
 /// Returns whether it is a picture.
 bool decode(const Bytes& file) {
   try {
-    const Image image = decodePng(file, "in.png");
+    FloatImage exact;
+    const Image image = decodePng(file, "in.png", &exact);
     fuzz::demand(image.Width() >= 1 && image.Height() >= 1, "a picture has pixels");
+    fuzz::demand(exact.Width() == 0 || exact.Width() == image.Width(), "floats are as many");
     return true;
   } catch (const ImageError& error) {
     fuzz::demand(fuzz::isPlainLine(error.what()), "an error is one line that prints");
@@ -86,8 +89,9 @@ void decodeWrapped(const Bytes& input) {
   Bytes header;
   appendBig(header, input[0] / 2 + 1u);
   appendBig(header, input[1] + 1u);
-  const std::uint8_t depth = (input[3] & 7) == 7 ? input[3] : 8;
-  header.insert(header.end(), {depth, kTypes[input[2] & 7], 0, 0, 0});
+  const std::uint8_t depths[] = {8, 1, 2, 4, 16, 8, 8, input[3]};
+  const std::uint8_t interlacing = input[2] >> 3 & 1;
+  header.insert(header.end(), {depths[input[3] & 7], kTypes[input[2] & 7], 0, 0, interlacing});
   Bytes file = kSignature;
   appendChunk(file, "IHDR", header);
   if (kTypes[input[2] & 7] == 3) appendChunk(file, "PLTE", Bytes(3 * (1 + input[3] / 8u), 77));

@@ -41,7 +41,8 @@ struct Sheet {
         "PerspectiveCamera { center" + scene_text::word(offset + Vec3d(0, 0.6, 2)) +
         "direction 0 -0.3 -1 up 0 1 0 angle 30 } Lights { numLights 1 DirectionalLight { direction "
         "-0.5 -0.2 -1 color 1 1 1 } } Materials { numMaterials 1 PhongMaterial { } } Group { "
-        "numObjects 1 MaterialIndex 0" + scene_text::mesh(path) + "}");
+        "numObjects 1 MaterialIndex 0" +
+        scene_text::mesh(path) + "}");
   }
 };
 

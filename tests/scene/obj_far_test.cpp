@@ -54,8 +54,8 @@ TEST("a mesh is far where its box is more than 16 sides from 0") {
 }
 
 TEST("vertices that no face uses may be anywhere") {
-  const MeshGeometry mesh = read("v 3e38 -3e38 0\n" + triangleAt({-3e37, 5, 5}) +
-                                 triangleAt({-3e37, 8, 8}));
+  const MeshGeometry mesh =
+      read("v 3e38 -3e38 0\n" + triangleAt({-3e37, 5, 5}) + triangleAt({-3e37, 8, 8}));
   CHECK_NEAR(mesh.getOrigin().x(), -3e37, 1e23);
   for (const Vec3f& v : mesh.getVertices()) CHECK(std::isfinite(maxAbs(v)));
 }
