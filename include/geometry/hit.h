@@ -8,11 +8,12 @@
 
 class Material;
 
-/// Which primitive was hit, and how far its numbers can be trusted.
+/// Which primitive was hit, how far its numbers can be trusted, and where it was hit on itself.
 struct Primitive {
   const Object3D* object = nullptr;  ///< the sphere, plane, triangle or mesh; not owned
   std::uint32_t face = 0;            ///< which triangle of a mesh; 0 for all else
   double magnitude = 0;              ///< as magnitudeOf gives it
+  Vec2d texturePlace{};              ///< see Hit::getTexturePlace
 };
 
 /// The largest number that took part in finding `point` = origin + t direction, counted in units of
@@ -54,6 +55,9 @@ class Hit {
   std::uint32_t getFace() const { return primitive_.face; }
   /// See magnitudeOf.
   double getMagnitude() const { return primitive_.magnitude; }
+  /// (u, v), which run over [0, 1] where the picture of a texture covers the surface once, to the
+  /// right and up; (0, 0) but on a mesh that has texture coordinates there.
+  Vec2d getTexturePlace() const { return primitive_.texturePlace; }
 
   /// Becomes the hit of a surface of `material`, with unit normal `normal`, at `point`, which is
   /// the ray's at parameter t.

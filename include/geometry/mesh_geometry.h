@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/mesh_shading.h"
 #include "math/bounding_box.h"
 #include "math/matrix.h"
 #include "math/vec3.h"
@@ -43,6 +44,11 @@ class MeshGeometry {
   /// out of the box are visited.
   void addBounds(const Matrix& toWorld, BoundingBox& box) const;
 
+  /// What is told of the corners; mostly nothing.
+  const MeshShading& getShading() const { return shading_; }
+  /// Every index in it must be below the number of what it counts, or kNone.
+  void setShading(MeshShading shading) { shading_ = std::move(shading); }
+
   /// True once findWhetherClosed has found that the surface encloses a volume.
   bool isClosed() const { return closed_; }
   /// Closed means: after merging vertices at equal positions, every edge belongs to exactly two
@@ -67,5 +73,6 @@ class MeshGeometry {
   std::vector<Face> faces_;
   std::vector<FaceRun> runs_;
   std::vector<Vec3f> extremes_;  // corners of faces on the six sides of the mesh's own box
+  MeshShading shading_;
   bool closed_ = false;
 };

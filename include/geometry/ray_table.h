@@ -26,6 +26,14 @@ struct RowList {
   const std::uint16_t* end() const { return rows + count; }
 };
 
+/// Row `row` of three columns.
+inline Vec3d rowOf(const double* const column[3], int row) {
+  return {column[0][row], column[1][row], column[2][row]};
+}
+inline void setRowOf(double* const column[3], int row, const Vec3d& v) {
+  for (int axis = 0; axis < 3; ++axis) column[axis][row] = v[axis];
+}
+
 /// Rays, in one space. Row i is ray i.
 struct RayTable {
   /// The most rows of a table: a tile of 32 x 32 pixels. More share few nodes of a tree that they
@@ -45,10 +53,8 @@ struct RayTable {
   /// Columns for `rows` rows, which are still to be filled.
   RayTable(Arena& arena, int rows, bool hasSources);
 
-  Vec3d originOf(int row) const { return {origin[0][row], origin[1][row], origin[2][row]}; }
-  Vec3d directionOf(int row) const {
-    return {direction[0][row], direction[1][row], direction[2][row]};
-  }
+  Vec3d originOf(int row) const { return rowOf(origin, row); }
+  Vec3d directionOf(int row) const { return rowOf(direction, row); }
   Ray rayOf(int row) const {
     Ray ray(originOf(row), directionOf(row));
     if (source) ray.setSource(source[row], sourceFace[row]);
@@ -87,11 +93,14 @@ struct HitTable {
   double* magnitude;          ///< as magnitudeOf gives it
   double* normal[3];          ///< unit
   double* point[3];
+  Vec2d* texturePlace;  ///< where hasTexturePlace(); else it is anything
 
   /// Columns for `rows` rows, in which nothing is found.
   HitTable(Arena& arena, int rows);
 
   bool isFound(int row) const { return order[row] != NearestSoFar::kNothing; }
+  /// Of a row where something is found.
+  bool hasTexturePlace(int row) const { return object[row] && object[row]->hasTexturePlaces(); }
   /// Row `row` as a Hit, `t` being the ray's tmax; Hit(t) where nothing is found.
   Hit hitOf(int row, double t) const;
   /// Takes all of a hit but its t.

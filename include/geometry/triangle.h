@@ -48,6 +48,12 @@ MaskOf<Number> distance(const Vec3<Number>& a, const Vec3<Number>& b, const Vec3
 /// t never leaves the range of the three vertices, however flat the ray strikes.
 bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t);
 
+/// The barycentric weights of a point in the plane of triangle abc: the point is weights.x a +
+/// weights.y b + weights.z c, and they add up to 1, each but for rounding. At a corner those of the
+/// others are 0. Not finite where the triangle has no area. They are quotients of areas in the
+/// coordinate plane that the triangle is least slanted to.
+Vec3d weightsAt(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& point);
+
 /// Like intersect, but a ray through a shared edge or vertex crosses exactly one of the triangles
 /// on each side of the surface: ties are broken as if the ray were moved by (e, e^2) on the plane
 /// for an e too small to matter. `leaving` tells whether it goes out along the normal; over all

@@ -1,4 +1,5 @@
-// TriangleMesh: triangles of one material. A hit says which face it is of.
+// TriangleMesh: triangles of one material. A hit says which face it is of; its normal and texture
+// place are what the geometry's MeshShading makes them.
 #pragma once
 #include "geometry/mesh_geometry.h"
 #include "geometry/object3d.h"
@@ -17,9 +18,6 @@ class TriangleMesh : public Object3D {
   bool nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax, double& t) const;
   /// Records in `hit` what lies at parameter t of the ray, which nearestRoot gave for that face.
   void setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const;
-  /// The same, for a caller who has the face's corners at hand.
-  void setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray,
-              double t, Hit& hit) const;
   /// Reports the crossing with one face, if there is one at t > 0. `count` faces have its corners.
   void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor,
                  std::uint32_t count = 1) const;
@@ -29,6 +27,7 @@ class TriangleMesh : public Object3D {
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
   void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
   bool isBounded() const override { return true; }
+  bool hasTexturePlaces() const override { return !geometry_->getShading().coordinates.empty(); }
 
  private:
   const MeshGeometry* geometry_;  // not owned

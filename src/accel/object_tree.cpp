@@ -254,6 +254,16 @@ bool AskedMesh::takesPlace(LeafPrimitive& face) const {
   return copies != nullptr;
 }
 
+void AskedMesh::shade(const RowList& rows, const HitTable& hits) const {
+  const MeshGeometry& geometry = mesh_.getGeometry();
+  if (geometry.getShading().isEmpty()) return;
+  for (const int row : rows) {
+    Vec3d normal = rowOf(hits.normal, row);
+    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, hits.texturePlace[row]);
+    setRowOf(hits.normal, row, normal);
+  }
+}
+
 void AskedMesh::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
                                CrossingVisitor& visitor) const {
   const std::uint32_t face = MeshTree::faceAt(words, lane);

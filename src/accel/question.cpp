@@ -212,6 +212,7 @@ class NearestQuestion::NearestWalk : public Walk {
   void computeHits(const Kernels& kernels, LeafHits& triangles, LeafHits& spheres) {
     triangles.fillUp();
     kernels.hitsOfTriangles(triangles, *stream_.rays, hits_);
+    tree_.shade({triangles.rows, triangles.count}, hits_);
     spheres.fillUp();
     kernels.hitsOfSpheres(spheres, *stream_.rays, hits_);
     triangles.count = spheres.count = 0;
@@ -261,6 +262,7 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
     hits_.material[row] = found.material[k];
     hits_.object[row] = found.object[k];
     hits_.face[row] = found.face[k];
+    if (found.hasTexturePlace(k)) hits_.texturePlace[row] = found.texturePlace[k];
     hits_.order[row] = found.order[k];
     rowsInside[count] = std::uint16_t(k);
     rowsOutside[count++] = std::uint16_t(row);

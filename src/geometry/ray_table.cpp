@@ -5,14 +5,6 @@
 
 namespace {
 
-Vec3d rowOf(double* const column[3], int row) {
-  return {column[0][row], column[1][row], column[2][row]};
-}
-
-void setRowOf(double* const column[3], int row, const Vec3d& v) {
-  for (int axis = 0; axis < 3; ++axis) column[axis][row] = v[axis];
-}
-
 /// A column of T behind each other for each of `count` pointers, with room for a vector to run over
 /// the end of each: one take, for tables of a few rows are made often.
 template <class T>
@@ -51,6 +43,7 @@ HitTable::HitTable(Arena& arena, int rows) {
   object = arena.take<const Object3D*>(size);
   face = arena.take<std::uint32_t>(size);
   order = arena.take<std::uint32_t>(size);
+  texturePlace = arena.take<Vec2d>(size);
   double** const columns[] = {&magnitude, &normal[0], &normal[1], &normal[2],
                               &point[0],  &point[1],  &point[2]};
   takeColumns(arena, rows, columns, 7);
@@ -61,8 +54,9 @@ HitTable::HitTable(Arena& arena, int rows) {
 Hit HitTable::hitOf(int row, double t) const {
   Hit hit(t);
   if (!isFound(row)) return hit;
-  hit.record(t, material[row], rowOf(normal, row), rowOf(point, row),
-             {object[row], face[row], magnitude[row]});
+  Primitive primitive = {object[row], face[row], magnitude[row]};
+  if (hasTexturePlace(row)) primitive.texturePlace = texturePlace[row];
+  hit.record(t, material[row], rowOf(normal, row), rowOf(point, row), primitive);
   return hit;
 }
 
@@ -74,6 +68,7 @@ void HitTable::setRow(int row, const Hit& hit, std::uint32_t place) {
   magnitude[row] = hit.getMagnitude();
   setRowOf(normal, row, hit.getNormal());
   setRowOf(point, row, hit.getIntersectionPoint());
+  texturePlace[row] = hit.getTexturePlace();
 }
 
 void RayByRay::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const {

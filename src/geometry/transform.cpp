@@ -18,10 +18,10 @@ Transform::Transform(const Matrix& matrix, const Object3D* object)
 void Transform::toParent(const Ray& ray, Hit& hit) const {
   const Vec3d normal = normalize(inverse_.transposeTransformDirection(hit.getNormal()));
   const Vec3d point = ray.pointAtParameter(hit.getT());
-  const double magnitude = outsideMagnitude(inverse_, hit.getMagnitude(), point, ray.getOrigin(),
-                                            ray.getDirection());
+  const double magnitude =
+      outsideMagnitude(inverse_, hit.getMagnitude(), point, ray.getOrigin(), ray.getDirection());
   hit.record(hit.getT(), hit.getMaterial(), normal, point,
-             {hit.getObject(), hit.getFace(), magnitude});
+             {hit.getObject(), hit.getFace(), magnitude, hit.getTexturePlace()});
 }
 
 bool Transform::intersect(const Ray& ray, Hit& hit, double tmin) const {

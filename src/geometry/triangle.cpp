@@ -90,6 +90,18 @@ bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, d
   return distance(seen.a, seen.b, seen.c, areaNormal(a, b, c), ray.getDirection(), t);
 }
 
+Vec3d weightsAt(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& point) {
+  const Vec3d whole = areaNormal(a, b, c);
+  int axis = 0;
+  for (int other = 1; other < 3; ++other) {
+    if (std::fabs(whole[other]) > std::fabs(whole[axis])) axis = other;
+  }
+  const auto share = [&](const Vec3d& from, const Vec3d& to) {
+    return areaNormal(point, from, to)[axis] / whole[axis];
+  };
+  return {share(b, c), share(c, a), share(a, b)};
+}
+
 bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t,
              bool& leaving) {
   const Seen seen(a, b, c, ray);

@@ -18,14 +18,13 @@ bool TriangleMesh::nearestRoot(std::uint32_t face, const Ray& ray, double tmin, 
 
 void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const {
   const auto [a, b, c] = geometry_->corners(face);
-  setHit(face, a, b, c, ray, t, hit);
-}
-
-void TriangleMesh::setHit(std::uint32_t face, const Vec3d& a, const Vec3d& b, const Vec3d& c,
-                          const Ray& ray, double t, Hit& hit) const {
   const Vec3d point = ray.pointAtParameter(t);
-  hit.record(t, material_, normalize(triangle::areaNormal(a, b, c)), point,
-             {this, face, magnitudeOf(t, point, ray, triangle::extent(a, b, c))});
+  Vec3d normal = normalize(triangle::areaNormal(a, b, c));
+  Primitive primitive = {this, face, magnitudeOf(t, point, ray, triangle::extent(a, b, c))};
+  if (!geometry_->getShading().isEmpty()) {
+    shadeHit(*geometry_, face, point, normal, primitive.texturePlace);
+  }
+  hit.record(t, material_, normal, point, primitive);
 }
 
 void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor,

@@ -96,13 +96,6 @@ struct ColorFilterTable {
   void add(const ColorFilter& filter, int ofRow);
 };
 
-/// Row `row` of three columns.
-inline Vec3d rowOf(const double* const column[3], int row) {
-  return {column[0][row], column[1][row], column[2][row]};
-}
-inline void setRowOf(double* const column[3], int row, const Vec3d& v) {
-  for (int axis = 0; axis < 3; ++axis) column[axis][row] = v[axis];
-}
 inline void copyTo(double (&numbers)[3], const Vec3d& v) {
   for (int axis = 0; axis < 3; ++axis) numbers[axis] = v[axis];
 }

@@ -12,6 +12,9 @@
 
 namespace {
 
+/// Faces of vertices, and those of what else is told of their corners.
+using FaceLists = std::array<std::vector<MeshGeometry::Face>*, 3>;
+
 /// Thrown where a chunk shows that the file must be read as one.
 struct IsUnclear {};
 
@@ -77,30 +80,42 @@ std::vector<T> joined(std::vector<ObjChunk>& chunks, std::vector<T> ObjChunk::*e
   return all;
 }
 
-/// Cuts a polygon that stands in `faces` as a fan: where it is concave, its triangles become
-/// others.
-OutlineShape cutPolygon(const std::vector<Vec3f>& vertices, const ObjPolygon& polygon,
-                        MeshGeometry::Face* faces) {
+/// The corners of a polygon that stands in `faces` as a fan.
+std::vector<std::uint32_t> cornersOf(const ObjPolygon& polygon, const MeshGeometry::Face* faces) {
   std::vector<std::uint32_t> corners = {faces[0][0], faces[0][1]};
   for (std::uint32_t k = 0; k < polygon.triangles; ++k) corners.push_back(faces[k][2]);
+  return corners;
+}
+
+/// Cuts a polygon that stands as a fan in the first of `all`, from place `first` on, and perhaps in
+/// others: where it is concave, its triangles become others in each.
+OutlineShape cutPolygon(const std::vector<Vec3f>& vertices, const ObjPolygon& polygon,
+                        std::size_t first, const FaceLists& all) {
   std::vector<Vec3f> outline;
-  for (const std::uint32_t corner : corners) outline.push_back(vertices[corner]);
+  for (const std::uint32_t corner : cornersOf(polygon, &(*all[0])[first])) {
+    outline.push_back(vertices[corner]);
+  }
   std::vector<OutlineTriangle> triangles;
   const OutlineShape shape = cutOutline(outline, triangles);
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      faces[k][corner] = corners[triangles[k][corner]];
+  for (std::vector<MeshGeometry::Face>* const faces : all) {
+    if (faces->empty() || triangles.empty()) continue;
+    const std::vector<std::uint32_t> corners = cornersOf(polygon, &(*faces)[first]);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        (*faces)[first + k][corner] = corners[triangles[k][corner]];
+      }
     }
   }
   return shape;
 }
 
 /// Cuts all polygons of chunks, whose triangles stand in `faces`, one chunk's behind the other's.
+/// The second and third list may be empty.
 /// Where polygons of many corners would take too long together, the later ones stay fans. Returns
 /// for each chunk those of its polygons that stay fans though they are not convex.
 std::vector<std::vector<ObjPolygon>> cutPolygons(const std::vector<Vec3f>& vertices,
                                                  const std::vector<ObjChunk>& chunks, int threads,
-                                                 std::vector<MeshGeometry::Face>& faces) {
+                                                 const FaceLists& faces) {
   constexpr double kMostSteps = 0x1p29;  // as cutOutline takes for one of 23,000 corners
   struct Start {
     std::size_t face;
@@ -122,8 +137,8 @@ std::vector<std::vector<ObjPolygon>> cutPolygons(const std::vector<Vec3f>& verti
     for (const ObjPolygon& polygon : chunks[number].polygons) {
       at.steps += stepsOf(polygon);
       const bool isTooLong = polygon.triangles > 64 && at.steps > kMostSteps;
-      if (isTooLong || cutPolygon(vertices, polygon, &faces[at.face + polygon.first]) ==
-                           OutlineShape::crossing) {
+      if (isTooLong ||
+          cutPolygon(vertices, polygon, at.face + polygon.first, faces) == OutlineShape::crossing) {
         fans[number].push_back(polygon);
       }
     }
@@ -167,7 +182,9 @@ bool join(std::vector<ObjChunk>& chunks, const OpenFile& file, const ObjReading&
   });
   Vec3d origin = MeshGeometry::kZero;
   if (!placeVertices(file, how, faces, vertices, origin)) return false;
-  for (const auto& fans : cutPolygons(vertices, chunks, how.threads, faces)) {
+  MeshShading none;
+  const FaceLists all = {&faces, &none.coordinateFaces, &none.normalFaces};
+  for (const auto& fans : cutPolygons(vertices, chunks, how.threads, all)) {
     if (!fans.empty()) return false;
   }
   mesh = MeshGeometry(std::move(vertices), std::move(faces), origin);
@@ -203,7 +220,7 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
 }
 
 MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
-                     std::vector<std::string>& warnings) {
+                     std::vector<std::string>& warnings, const ObjDetails& details) {
   const std::size_t mistakesBefore = log.count();
   const std::string_view statements = withoutByteOrderMark(text.bytes());
   const ObjReport report = [&](const char* at, const std::string& message) {
@@ -211,7 +228,7 @@ MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
   };
   std::vector<ObjChunk> chunks(1);
   ObjChunk& all = chunks[0];
-  readObjChunk(statements, {countObjVertices(statements), 0}, report, all);
+  readObjChunk(statements, {countObjStatements(statements, "v"), 0}, report, all, details);
   if (log.count() > mistakesBefore) return {};
   const auto warn = [&](std::size_t count, const std::string& what, std::size_t first) {
     warnings.push_back("has " + counted(count, "face") + " " + what +
@@ -228,14 +245,20 @@ MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
     origin = measureFromMiddle(places, all.faces, all.vertices);
   }
   all.faceCount = all.faces.size();
-  const std::vector<ObjPolygon> fans = cutPolygons(all.vertices, chunks, 1, all.faces)[0];
+  MeshShading& shading = all.shading;
+  const FaceLists faces = {&all.faces, &shading.coordinateFaces, &shading.normalFaces};
+  const std::vector<ObjPolygon> fans = cutPolygons(all.vertices, chunks, 1, faces)[0];
   if (!fans.empty()) {
     warn(fans.size(), "that cannot be cut into triangles rightly, as the outline crosses itself",
          fans[0].at);
   }
   all.vertices.shrink_to_fit();
   all.faces.shrink_to_fit();
-  return MeshGeometry(std::move(all.vertices), std::move(all.faces), origin);
+  MeshGeometry mesh(std::move(all.vertices), std::move(all.faces), origin);
+  if (shading.coordinates.empty()) shading.coordinateFaces = {};
+  if (shading.normals.empty()) shading.normalFaces = {};
+  mesh.setShading(std::move(shading));
+  return mesh;
 }
 
 /// Reads a little more than the chunk, since its last statement mostly ends soon; where it does
@@ -277,27 +300,33 @@ const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
 }
 
 /// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then null is
-/// kept in its place. False, and a reason, where the file cannot be read.
+/// kept in its place. What a mesh tells of its corners is read from one text too, as it is asked
+/// for seldom. False, and a reason, where the file cannot be read.
 bool MeshLibrary::read(const std::string& path, const std::string& key, std::string_view name,
                        std::string& reason) {
   const std::size_t mistakesBefore = log_.count();
   warnings_.clear();
   MeshGeometry mesh;
+  const ObjDetails details = {rules_.keepsTextureCoordinates, rules_.usesFileNormals};
   // Without faces it may be no OBJ file at all.
-  if (!readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
+  if (details.any() || !readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
     std::string bytes;
     if (!readWholeFile(path, bytes, reason)) return false;
-    mesh = readText(path, std::move(bytes), placeOf(name));
+    mesh = readText(path, std::move(bytes), placeOf(name), details);
   }
   const MeshGeometry*& kept = byPath_[key];
   if (log_.count() > mistakesBefore) return true;
+  const bool isFlat = rules_.meshNormals == MeshNormals::flat ||
+                      mesh.getVertices().size() <= rules_.mostFlatVertices;
+  if (!isFlat) makeSmooth(mesh, rules_.meshNormals);
   meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
   kept = meshes_.back().get();
   return true;
 }
 
 /// Lines may end in CR alone. What is no OBJ file at all is a mistake.
-MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, std::size_t place) {
+MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, std::size_t place,
+                                   const ObjDetails& details) {
   const auto reportKind = [&](const std::string& kind) {
     log_.add(place, InputError(path, 0, "expected an OBJ file, found what looks like " + kind));
     return MeshGeometry();
@@ -307,7 +336,7 @@ MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, s
   if (bytes.find('\n') == bytes.npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
   const std::size_t mistakesBefore = log_.count();
   const SourceText text(path, std::move(bytes));
-  MeshGeometry mesh = readObj(text, log_, place, warnings_);
+  MeshGeometry mesh = readObj(text, log_, place, warnings_, details);
   const bool isNothing = mesh.getVertices().empty() && log_.count() == mistakesBefore;
   return isNothing && isBinary(text.bytes()) ? reportKind("a binary file") : std::move(mesh);
 }

@@ -22,6 +22,7 @@
 #include "geometry/mesh_geometry.h"
 #include "scene/input_error.h"
 #include "scene/named_files.h"
+#include "scene/scene_rules.h"
 #include "scene/source_text.h"
 #include "system/files.h"
 
@@ -29,6 +30,15 @@
 struct ObjReading {
   int threads = 1;
   std::size_t chunkBytes = std::size_t(256) << 10;  // what a thread reads at a time; > 0
+};
+
+/// What is kept of a file beside vertices and faces, see MeshShading. Of what is not kept no
+/// mistake is told.
+struct ObjDetails {
+  bool coordinates = false;  ///< vt u [v], and the b of a corner a/b/c
+  bool normals = false;      ///< vn x y z, and its c
+
+  bool any() const { return coordinates || normals; }
 };
 
 /// Reads a regular file by several threads into `mesh`. Returns false, and leaves `mesh` as it
@@ -42,15 +52,16 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
 /// there are any (and the log does not throw) the mesh is empty. What is legal, but not as it seems
 /// to be meant, is said in `warnings`, each ending in the line.
 MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
-                     std::vector<std::string>& warnings);
+                     std::vector<std::string>& warnings, const ObjDetails& details = {});
 
 /// Finds the mesh files that a scene names and reads each of them once.
 class MeshLibrary {
  public:
-  /// Reads on behalf of `scene` into `meshes`; both, and `log`, must outlive the library.
+  /// Reads on behalf of `scene` into `meshes`, as `rules` say; all but these must outlive the
+  /// library.
   MeshLibrary(const SourceText& scene, MistakeLog& log,
-              std::vector<std::unique_ptr<MeshGeometry>>& meshes)
-      : scene_(scene), log_(log), files_(scene, log, "mesh"), meshes_(meshes) {}
+              std::vector<std::unique_ptr<MeshGeometry>>& meshes, const SceneRules& rules)
+      : scene_(scene), log_(log), files_(scene, log, "mesh"), meshes_(meshes), rules_(rules) {}
 
   /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be; see
   /// NamedFiles. Null where there were mistakes, which are reported the first time. `isNew` tells
@@ -64,7 +75,8 @@ class MeshLibrary {
  private:
   bool read(const std::string& path, const std::string& key, std::string_view name,
             std::string& reason);
-  MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place);
+  MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place,
+                        const ObjDetails& details);
   std::size_t placeOf(std::string_view name) const {
     return std::size_t(name.data() - scene_.bytes().data());
   }
@@ -73,6 +85,7 @@ class MeshLibrary {
   MistakeLog& log_;
   NamedFiles files_;
   std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
+  const SceneRules rules_;
   std::vector<std::string> warnings_;
   std::map<std::string, const MeshGeometry*> byPath_;  // as files_ finds them
 };
@@ -100,6 +113,7 @@ struct ObjChunk {
   /// Corners (3 * face + corner) that were counted backwards: their indices count from the chunk's
   /// first vertex, modulo 2^32. Not kept where nothing stands before the chunk.
   std::vector<std::size_t> relativeCorners;
+  MeshShading shading;  ///< what details were wanted; its faces are cut as `faces` are
 
   /// Empties the chunk, but keeps its memory.
   void clear() {
@@ -124,11 +138,12 @@ using ObjReport = std::function<void(const char* at, const std::string& message)
 
 /// Reads whole statements, appending to an empty `chunk`. After a mistake that `report` lets pass,
 /// reading goes on with the next statement; the chunk then keeps its number of vertices only.
+/// Where details are wanted, the statements must be the whole file.
 void readObjChunk(std::string_view statements, const ObjSurroundings& around,
-                  const ObjReport& report, ObjChunk& chunk);
+                  const ObjReport& report, ObjChunk& chunk, const ObjDetails& details = {});
 
-/// How many vertices the statements define.
-std::size_t countObjVertices(std::string_view statements);
+/// How many statements begin with the word `name`, such as v.
+std::size_t countObjStatements(std::string_view statements, std::string_view name);
 
 /// Appends the place of each vertex that the statements define, in double; anything where there is
 /// a mistake.

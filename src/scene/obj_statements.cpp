@@ -1,18 +1,15 @@
-// Reading OBJ statements: v and f count, all others are passed over.
+// Reading OBJ statements: v and f count, and perhaps vt and vn (obj_details.cpp); all others are
+// passed over.
 // Source: Wavefront, "Object Files (.obj)", Advanced Visualizer manual, appendix B1.
 //
 // A statement ends with its line, unless that ends in a backslash; a comment is never continued.
 // Most statements are `v x y z` and `f a b c`, and most of the time goes by in their digits: those
 // are read eight bytes at a time where so many are there (decimal.h), which takes half as long.
-//
-// The place in the statements is handed along apart from the reader, so that it can stay in a
-// register; with numbers read in line this took 0.92 of the time.
 #include <algorithm>
-#include <cstring>
 
 #include "scene/decimal.h"
 #include "scene/number_reader.h"
-#include "scene/obj_reader.h"
+#include "scene/obj_details.h"
 #include "scene/wording.h"
 
 namespace {
@@ -22,80 +19,16 @@ namespace {
 using Corner = std::uint64_t;
 constexpr Corner kRelative = Corner(1) << 32;
 
-bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
-
-/// Statements and the words in them, up to the end of a text.
-class Words {
- public:
-  explicit Words(const char* end) : end_(end) {}
-
-  const char* end() const { return end_; }
-
-  /// The first letter of the next statement at or behind `p`; the end where there is none.
-  const char* findStatement(const char* p) const {
-    while (p != end_ && (isBlank(*p) || *p == '\n')) ++p;
-    return p;
-  }
-  /// True when the statement at `p` begins with the one letter `name`.
-  bool isStatement(char name, const char* p) const { return *p == name && isWordEnd(p + 1); }
-
-  /// Where the line behind the statement begins; `p` is a place in the statement.
-  const char* skipStatement(const char* p) const {
-    if (p != end_ && *p == '\n') return p + 1;
-    const bool isComment = p != end_ && *p == '#';
-    while (p != end_) {
-      const void* const found = std::memchr(p, '\n', std::size_t(end_ - p));
-      const char* const newline = found ? static_cast<const char*>(found) : end_;
-      const bool goesOn = !isComment && isContinuedLine(p, newline);
-      p = newline == end_ ? end_ : newline + 1;
-      if (!goesOn) break;
-    }
-    return p;
-  }
-
-  /// Where the next word of the statement begins; where the statement ends if it has no more.
-  const char* findWord(const char* p) const {
-    while (p != end_) {
-      const std::size_t length = isBlank(*p) ? 1 : continuation(p);
-      if (length == 0) break;
-      p += length;
-    }
-    return p;
-  }
-  /// True where findWord has found no word.
-  bool isStatementEnd(const char* p) const { return p == end_ || *p == '\n' || *p == '#'; }
-  bool isWordEnd(const char* p) const {
-    return p == end_ || *p == '\n' || isBlank(*p) || continuation(p) > 0;
-  }
-  /// The word that begins at `start`.
-  std::string_view wordAt(const char* start) const {
-    const char* p = start;
-    while (!isWordEnd(p)) ++p;
-    return {start, std::size_t(p - start)};
-  }
-
- private:
-  /// Length of a backslash with the line end behind it, 0 for anything else.
-  std::size_t continuation(const char* p) const {
-    if (*p != '\\') return 0;
-    const char* next = p + 1;
-    if (next != end_ && *next == '\r') ++next;
-    if (next == end_) return std::size_t(next - p);
-    return *next == '\n' ? std::size_t(next + 1 - p) : 0;
-  }
-
-  const char* end_;
-};
-
 class ChunkReader {
  public:
   ChunkReader(std::string_view statements, const ObjSurroundings& around, const ObjReport& report,
-              ObjChunk& chunk)
+              ObjChunk& chunk, const ObjDetails& details)
       : start_(statements.data()),
         words_(start_ + statements.size()),
         around_(around),
         report_(report),
-        chunk_(chunk) {}
+        chunk_(chunk),
+        details_(statements, details, report, chunk.shading) {}
 
   void read();
 
@@ -109,14 +42,13 @@ class ChunkReader {
 
   void addFace(Corner a, Corner b, Corner c, const char* start);
   void noteRelative(Corner corner, std::size_t number);
-  void reportVertex(const char* start, const char* at, int found);
-  void reportRange(std::string_view word, std::uint64_t number, bool isNegative);
 
   const char* const start_;
-  const Words words_;
+  const ObjWords words_;
   const ObjSurroundings around_;
   const ObjReport& report_;
   ObjChunk& chunk_;
+  ObjDetailReader details_;
 };
 
 void ChunkReader::read() {
@@ -127,6 +59,8 @@ void ChunkReader::read() {
       p = readVertex(p);
     } else if (words_.isStatement('f', p)) {
       p = readFace(p);
+    } else if (details_.areWanted()) {
+      details_.readStatement(p);
     }
     p = words_.skipStatement(p);
   }
@@ -142,7 +76,7 @@ const char* ChunkReader::readVertex(const char* start) {
       p = words_.findWord(p);
       if (!words_.isStatementEnd(p)) stop = scanFloat(p, words_.end(), position[axis]);
       if (!stop || !words_.isWordEnd(stop)) {
-        reportVertex(start, p, axis);
+        reportObjNumbers(words_, report_, kObjVertex, start, p, axis);
         break;
       }
     }
@@ -153,19 +87,6 @@ const char* ChunkReader::readVertex(const char* start) {
   }
   chunk_.vertices.emplace_back(position[0], position[1], position[2]);
   return p;
-}
-
-/// Says what is wrong at `at` with the vertex at `start`, of which `found` numbers are good.
-void ChunkReader::reportVertex(const char* start, const char* at, int found) {
-  if (words_.isStatementEnd(at)) {
-    report_(start, "expected three numbers for a vertex, found " + std::to_string(found));
-    return;
-  }
-  const std::string_view word = words_.wordAt(at);
-  const char* const expected = isNumber(word)
-                                   ? "expected a number within float range for a vertex, found "
-                                   : "expected a number for a vertex, found ";
-  report_(at, expected + quoted(word));
 }
 
 /// A face of n corners becomes the n - 2 triangles of a fan around its first corner. One of less
@@ -194,6 +115,7 @@ const char* ChunkReader::readFace(const char* start) {
   if (count > 3) {
     chunk_.polygons.push_back({at, std::uint32_t(facesBefore), std::uint32_t(count - 2)});
   }
+  if (details_.areWanted()) details_.readFace(start);
   return p;
 }
 
@@ -211,8 +133,8 @@ const char* ChunkReader::readFace(const char* start) {
   return stop;
 }
 
-/// Takes a, a/b, a//c or a/b/c. Only a matters; of b and c it is checked that they are numbers.
-/// Returns null after a mistake.
+/// Takes a, a/b, a//c or a/b/c. Only a matters; of b and c it is checked that they are numbers (see
+/// also ObjDetailReader). Returns null after a mistake.
 const char* ChunkReader::readCorner(const char* start, Corner& corner) {
   const char* const digits = start + (*start == '-' || *start == '+');
   constexpr std::uint64_t kBeyondAll = std::uint64_t(1) << 40;
@@ -230,7 +152,8 @@ const char* ChunkReader::readCorner(const char* start, Corner& corner) {
   const std::size_t here = chunk_.vertices.size();
   const bool isNegative = *start == '-';
   if (number - 1 >= (isNegative ? here + around_.before : around_.vertices)) {
-    reportRange({start, std::size_t(stop - start)}, number, isNegative);
+    reportObjRange(report_, kObjVertex, {start, std::size_t(stop - start)}, number,
+                   isNegative ? here + around_.before : around_.vertices, isNegative);
     return nullptr;
   }
   if (isNegative) {
@@ -252,19 +175,6 @@ const char* ChunkReader::skipReferences(const char* p) const {
     if (!isAllowed || slashes > 2) return nullptr;
   }
   return p;
-}
-
-void ChunkReader::reportRange(std::string_view word, std::uint64_t number, bool isNegative) {
-  const std::string found = ", found " + quoted(word);
-  if (number == 0) {
-    report_(word.data(), "face index 0: expected indices that count from 1" + found);
-    return;
-  }
-  const std::size_t available =
-      isNegative ? chunk_.vertices.size() + around_.before : around_.vertices;
-  report_(word.data(),
-          std::string("face index out of range: there ") + (available == 1 ? "is " : "are ") +
-              counted(available, "vertex", "vertices") + (isNegative ? " before it" : "") + found);
 }
 
 void ChunkReader::addFace(Corner a, Corner b, Corner c, const char* start) {
@@ -292,23 +202,23 @@ void ChunkReader::noteRelative(Corner corner, std::size_t number) {
 }  // namespace
 
 void readObjChunk(std::string_view statements, const ObjSurroundings& around,
-                  const ObjReport& report, ObjChunk& chunk) {
-  ChunkReader(statements, around, report, chunk).read();
+                  const ObjReport& report, ObjChunk& chunk, const ObjDetails& details) {
+  ChunkReader(statements, around, report, chunk, details).read();
 }
 
-std::size_t countObjVertices(std::string_view statements) {
-  const Words words(statements.data() + statements.size());
+std::size_t countObjStatements(std::string_view statements, std::string_view name) {
+  const ObjWords words(statements.data() + statements.size());
   std::size_t count = 0;
   const char* p = words.findStatement(statements.data());
   while (p != words.end()) {
-    count += words.isStatement('v', p);
+    count += words.isStatement(name, p);
     p = words.findStatement(words.skipStatement(p));
   }
   return count;
 }
 
 void readObjPlaces(std::string_view statements, std::vector<Vec3d>& places) {
-  const Words words(statements.data() + statements.size());
+  const ObjWords words(statements.data() + statements.size());
   const char* p = words.findStatement(statements.data());
   for (; p != words.end(); p = words.findStatement(words.skipStatement(p))) {
     if (!words.isStatement('v', p)) continue;

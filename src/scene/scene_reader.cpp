@@ -26,7 +26,7 @@ SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& s
     : in_(text, log),
       notes_(text),
       scene_(scene),
-      meshes_(text, log, scene.meshes_),
+      meshes_(text, log, scene.meshes_, rules),
       pictures_(text, log, scene.pictures_),
       materials_(in_, notes_, scene.materials_, rules),
       objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}

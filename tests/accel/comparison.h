@@ -35,7 +35,9 @@ inline bool sameBits(const Hit& a, const Hit& b) {
          a.getObject() == b.getObject() && a.getFace() == b.getFace() &&
          sameBits(a.getNormal(), b.getNormal()) &&
          sameBits(a.getIntersectionPoint(), b.getIntersectionPoint()) &&
-         sameBits(a.getMagnitude(), b.getMagnitude());
+         sameBits(a.getMagnitude(), b.getMagnitude()) &&
+         sameBits(a.getTexturePlace().x(), b.getTexturePlace().x()) &&
+         sameBits(a.getTexturePlace().y(), b.getTexturePlace().y());
 }
 
 inline std::string describe(const Ray& ray, double tmin, double tmax) {

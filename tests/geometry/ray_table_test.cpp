@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "geometry/triangle_mesh.h"
 #include "random.h"
 #include "shapes.h"
 #include "vectors.h"
@@ -71,7 +72,11 @@ TEST("nothing is found in a new table of hits; a hit comes out of it as it went 
   Arena arena;
   Random random(2);
   const PhongMaterial material = shapes::plainMaterial();
-  const auto* const object = reinterpret_cast<const Object3D*>(&arena);
+  MeshGeometry geometry = shapes::cube(1);
+  const TriangleMesh plain(&geometry, &material);
+  MeshGeometry pictured = shapes::cube(1);
+  pictured.setShading({{}, {}, {{0, 0}}, std::vector<MeshShading::Face>(12)});
+  const TriangleMesh textured(&pictured, &material);
   HitTable hits(arena, 100);
   for (int i = 0; i < 100; ++i) {
     CHECK(!hits.isFound(i) && hits.material[i] == nullptr);
@@ -79,8 +84,9 @@ TEST("nothing is found in a new table of hits; a hit comes out of it as it went 
   for (int i = 0; i < 100; i += 3) {
     const double t = random.logUniform(1e-9, 1e9);
     Hit hit;
+    const TriangleMesh* const object = i % 2 == 0 ? &plain : &textured;
     hit.record(t, &material, anyVector(random), anyVector(random),
-               {object, std::uint32_t(i), random.logUniform(1e-9, 1e9)});
+               {object, std::uint32_t(i), random.logUniform(1e-9, 1e9), Vec2d(i % 2 * 3, i % 2 * 5)});
     hits.setRow(i, hit, std::uint32_t(2 * i));
     const Hit found = hits.hitOf(i, t);
     CHECK(hits.isFound(i));
@@ -90,6 +96,8 @@ TEST("nothing is found in a new table of hits; a hit comes out of it as it went 
     CHECK_EQUAL(found.getFace(), std::uint32_t(i));
     CHECK(sameBits(found.getNormal(), hit.getNormal()));
     CHECK(sameBits(found.getIntersectionPoint(), hit.getIntersectionPoint()));
+    CHECK_EQUAL(found.getTexturePlace().x(), i % 2 * 3.0);
+    CHECK_EQUAL(found.getTexturePlace().y(), i % 2 * 5.0);
   }
   CHECK(!hits.isFound(1) && !hits.isFound(98));
 }
