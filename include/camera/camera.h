@@ -23,6 +23,16 @@ Vec3<Number> origin(const Vec3<Number>& center, const Vec3<Number>& right, const
 
 }  // namespace eye_ray
 
+/// Where a camera looks, and what is right and up in its pictures; in world space.
+struct CameraFrame {
+  Vec3d direction;  ///< unit
+  Vec3d right, up;  ///< as a rule unit vectors at right angles to it and to each other
+
+  /// direction d made unit, right = normalize(d x up), true up = right x d. `up` need not be
+  /// perpendicular to `direction`, but must not be parallel to it; neither may be zero.
+  static CameraFrame turned(const Vec3d& direction, const Vec3d& up);
+};
+
 class Camera {
  public:
   virtual ~Camera() = default;
@@ -37,17 +47,16 @@ class Camera {
 
   const Vec3d& getCenter() const { return center_; }
   /// A unit vector.
-  const Vec3d& getDirection() const { return direction_; }
-  /// Unit vectors across the direction, at right angles to each other.
-  const Vec3d& getRight() const { return right_; }
-  const Vec3d& getUp() const { return up_; }
+  const Vec3d& getDirection() const { return frame_.direction; }
+  /// One step to the right and up on the image, see CameraFrame.
+  const Vec3d& getRight() const { return frame_.right; }
+  const Vec3d& getUp() const { return frame_.up; }
 
  protected:
-  /// `up` need not be perpendicular to `direction`, but must not be parallel to it; neither may be
-  /// zero. The frame is direction d normalised, right = normalize(d x up), true up = right x d.
-  Camera(const Vec3d& center, const Vec3d& direction, const Vec3d& up);
+  Camera(const Vec3d& center, const CameraFrame& frame) : center_(center), frame_(frame) {}
 
-  Vec3d center_, direction_, right_, up_;
+  Vec3d center_;
+  CameraFrame frame_;
 };
 
 /// Parallel rays; sees behind its centre too.
@@ -55,7 +64,9 @@ class OrthographicCamera : public Camera {
  public:
   /// `size` > 0 is the length in the world of the longer side of the image.
   OrthographicCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double size)
-      : Camera(center, direction, up), size_(size) {}
+      : OrthographicCamera(center, CameraFrame::turned(direction, up), size) {}
+  OrthographicCamera(const Vec3d& center, const CameraFrame& frame, double size)
+      : Camera(center, frame), size_(size) {}
 
   Ray generateRay(const Vec2d& point) const override;
   /// -infinity.
@@ -71,7 +82,9 @@ class OrthographicCamera : public Camera {
 class PerspectiveCamera : public Camera {
  public:
   /// `angle` is the opening angle along the longer side of the image, in radians, 0 < angle < pi.
-  PerspectiveCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double angle);
+  PerspectiveCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double angle)
+      : PerspectiveCamera(center, CameraFrame::turned(direction, up), angle) {}
+  PerspectiveCamera(const Vec3d& center, const CameraFrame& frame, double angle);
 
   Ray generateRay(const Vec2d& point) const override;
   double getTMin() const override { return 0; }

@@ -99,6 +99,9 @@ struct RenderOptions {
   bool isAmbientPlain = false;     ///< ambient light meets the diffuse colour, not what replaces it
   bool nestedDielectrics = false;  ///< indices follow from what a ray is inside of, by priority
   bool fresnel = false;            ///< reflection follows from index and angle
+  /// What a transparent material mirrors and what it lets through are parts of its colours, by
+  /// Schlick's formula; `fresnel` comes before it.
+  bool blendsGlass = false;
   Epsilon epsilon;
   PixelPlaces places;
   SamplingOptions sampling;

@@ -60,6 +60,8 @@ class Shader {
   /// is black, stores in `nextWeight` what it weighs. Here recursion ends.
   Outcome follow(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
                  float& nextWeight) const;
+  /// Whether factors of transparent materials depend on the angle, and on the media.
+  bool areFactorsAngular() const { return options_.fresnel || options_.blendsGlass; }
   /// Between equal indices a refracted ray goes straight on, to the last bit, where media are
   /// looked after.
   bool keepsStraight() const { return options_.nestedDielectrics || options_.fresnel; }
@@ -76,6 +78,9 @@ class Shader {
   const RenderOptions& options() const { return options_; }
 
  private:
+  bool isBlended(const Material& material) const {
+    return options_.blendsGlass && !options_.fresnel && material.isTransparent();
+  }
   Vec3f mirrorFactor(const Material& material, const Interface& interface, double approach) const;
   Vec3f refractedFactor(const Material& material, const Interface& interface,
                         double approach) const;

@@ -40,7 +40,7 @@ struct LightSample {
   Vec3d direction;         ///< unit, to the light
   Vec3f color;             ///< what arrives where nothing is in the way
   double distance = 0;     ///< along `direction`, perhaps infinite
-  bool isInFront = false;  ///< n.l > 0: the surface is turned towards it
+  bool isInFront = false;  ///< n.l > 0: the surface is turned towards it, or that does not matter
   LightSample() {}         // were it defaulted, it would first clear all bytes, slowly
 };
 

@@ -18,7 +18,7 @@ class ObjectPlaces {
 
   // While the scene is read: each object begins, its members begin and end, it ends.
 
-  /// `kind` is the object's name in the file, one of kObjectWords, at `place` of the text, which is
+  /// `kind` is the object's name in the file, one of kPlaceWords, at `place` of the text, which is
   /// behind all places before.
   void begin(std::string_view kind, const char* place);
   /// The object that began last and has not ended; each begin() has its end(). Null where there was
@@ -40,7 +40,7 @@ class ObjectPlaces {
  private:
   static constexpr std::size_t kNone = std::size_t(-1);
   struct Place {
-    std::string_view kind;  // a literal of kObjectWords
+    std::string_view kind;  // a literal of kPlaceWords
     std::size_t line;
     std::size_t parent;   // an index; kNone outside of all
     std::size_t number;   // among the members of the parent, from 1

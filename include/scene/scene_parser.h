@@ -38,7 +38,11 @@ class SceneParser {
   /// scene is good. Never throws for a mistake in the input. Of a good scene `warnings`, where not
   /// null, becomes what getWarnings() would be.
   static std::vector<InputError> check(const char* filename,
-                                       std::vector<std::string>* warnings = nullptr);
+                                       std::vector<std::string>* warnings = nullptr,
+                                       const SceneRules& rules = {});
+
+  /// Whether the text of a scene of 2012 has a refractionIndex other than 0.
+  static bool hasGlass(const SourceText& text);
 
   // What the getters return is owned by this parser and lives as long as it does. Colours are as
   // the file gives them, mostly 0..1, but any finite number is legal.
@@ -75,6 +79,15 @@ class SceneParser {
   /// What is legal but probably a mistake: "FILE:LINE: text" each, in file order.
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
+  /// The size that the scene gives its picture, in pixels, 1..kMostPixels; 0, 0 where it does not.
+  struct PictureSize {
+    int width = 0, height = 0;
+  };
+  static constexpr int kMostPixels = 65535;
+  const PictureSize& getPictureSize() const { return pictureSize_; }
+  /// Whether a surface of the scene shows the highlights of lights that are behind it.
+  bool hasHighlightsBehind() const { return hasHighlightsBehind_; }
+
   /// The longest side of the world box of all spheres and triangles; 0 where there are none.
   double getSpan() const;
 
@@ -108,6 +121,8 @@ class SceneParser {
   std::vector<std::unique_ptr<MeshGeometry>> meshes_;
   Group group_;
   std::optional<SolidObjects> solids_;
+  PictureSize pictureSize_;
+  bool hasHighlightsBehind_ = false;
   ThinSolid thinnest_;
   std::vector<std::string> inputFiles_;
   std::vector<std::string> warnings_;

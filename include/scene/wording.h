@@ -32,8 +32,8 @@ std::string quoted(std::string_view word, std::size_t limit = 40);
 /// lower case count as equal.
 std::string_view nearestWord(std::string_view word, WordList allowed);
 
-/// "a, b or c".
-std::string listed(WordList words);
+/// "a, b or c", or with another word before the last one.
+std::string listed(WordList words, const char* conjunction = "or");
 
 /// "a camera", "an up", by the first letter.
 std::string withArticle(std::string_view noun);

@@ -71,6 +71,19 @@ Vec3<Number> schlickReflectance(const Plain<Number>& cosine,
   return normalReflectance + (Vec3<Number>(1, 1, 1) - normalReflectance) * rise;
 }
 
+/// The part of light that glass mirrors by Schlick's formula, between the indices `before` and
+/// `behind` it: R0 + (1 - R0) (1 - c)^5 with R0 = ((n - 1) / (n + 1))^2, n being the index behind,
+/// and 1 at total reflection. `approach` is n.v of the ray; c is its size where the ray enters
+/// (below 0), else the cosine of the refracted ray. Source: MIT 6.837, "Introduction to Computer
+/// Graphics", assignment 5 of 2012.
+inline double schlickReflectance(double approach, double before, double behind) {
+  const double ratio = before / behind, cosSquared = 1 - ratio * ratio * (1 - approach * approach);
+  if (cosSquared < 0) return 1;
+  const double root = (behind - 1) / (behind + 1), r0 = root * root;
+  const double cosine = approach < 0 ? -approach : std::sqrt(cosSquared);
+  return schlickReflectance(cosine, Vec3d(r0, r0, r0)).x();
+}
+
 /// What is left of light after a way of `length` >= 0 through what leaves `color` of it after a
 /// length of 1: color^length, a negative colour taken as 0. Source: Beer's law.
 template <class Number>

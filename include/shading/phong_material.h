@@ -30,22 +30,37 @@ Number halfwayCosine(const Vec3<Number>& v, const Vec3<Number>& n, const Vec3<Nu
   return choose(size > 0, dot(n, halfway) / size, Number(0));
 }
 
-/// lightColor * ((n.l) diffuse + c^exponent specular), rounded to float; where `isDimmed`, the
-/// highlight too is multiplied by n.l. Black where n.l <= 0, for a light behind the surface lights
-/// nothing, and a NaN counts as one; no highlight where c <= 0.
+/// Of which lights a highlight is seen, and how.
+enum class Highlight {
+  lit,        ///< of those in front of the surface
+  dimmed,     ///< likewise, multiplied by n.l, as diffuse light is
+  everywhere  ///< of all; where c <= 0 it is 0^exponent, which for exponent 0 is 1
+};
+
+/// lightColor * ((n.l) diffuse + c^exponent specular), rounded to float. A light behind the
+/// surface, n.l <= 0 (a NaN counts as one), gives no diffuse light, nor a highlight unless that is
+/// seen `everywhere`; none where c <= 0.
 template <class Number>
 Vec3<Number> reflectedLight(const Vec3<Number>& n, const Vec3<Number>& l, const Number& c,
                             const Vec3<Number>& lightColor, const Vec3<Number>& diffuse,
-                            const Vec3<Number>& specular, const Number& exponent, bool isDimmed) {
+                            const Vec3<Number>& specular, const Number& exponent,
+                            Highlight highlight) {
   const Number cosine = dot(n, l);
+  MaskOf<Number> isLit = cosine > 0;
   Vec3<Number> reflected = diffuse * cosine;
   // The power is the costly step: not for a highlight that is black anyway.
-  const MaskOf<Number> isBright = (c > 0) & isNotZero(specular);
+  MaskOf<Number> isBright = (c > 0) & isNotZero(specular);
+  if (highlight == Highlight::everywhere) {
+    reflected = choose(isLit, reflected, Vec3<Number>());
+    isLit = cosine == cosine;
+    isBright = isBright | ((exponent == 0) & isNotZero(specular));
+  }
   if (any(isBright)) {
-    const Number power = math::pow(c, exponent), factor = isDimmed ? power * cosine : power;
+    const Number power = choose(c > 0, math::pow(c, exponent), Number(1));
+    const Number factor = highlight == Highlight::dimmed ? power * cosine : power;
     reflected = choose(isBright, reflected + specular * factor, reflected);
   }
-  return choose(cosine > 0, roundedToFloat(lightColor * reflected), Vec3<Number>());
+  return choose(isLit, roundedToFloat(lightColor * reflected), Vec3<Number>());
 }
 
 }  // namespace phong_light
@@ -63,17 +78,17 @@ class PhongMaterial : public Material {
   /// RGB factors of the highlight; where black there is none.
   Vec3f getSpecularColor() const { return specularColor_; }
   float getExponent() const { return exponent_; }
-  /// True where the highlight is multiplied by n.l, as diffuse light is. It is not, unless that is
-  /// asked for, while the scene is being read.
-  bool isHighlightDimmed() const { return isHighlightDimmed_; }
-  void dimHighlight() { isHighlightDimmed_ = true; }
+  using Highlight = phong_light::Highlight;
+  /// Highlight::lit, unless another one is asked for, while the scene is being read.
+  Highlight getHighlight() const { return highlight_; }
+  void setHighlight(Highlight highlight) { highlight_ = highlight; }
 
   const DiffuseMap* getDiffuseMap() const override { return diffuseMap_; }
   /// Of which the diffuse colour is from now on, `map` being owned by another and not null. Only
   /// while the scene is being read.
   void setDiffuseMap(const DiffuseMap* map) { diffuseMap_ = map; }
 
-  /// The formula above. Black where n.l <= 0; no highlight where c <= 0, even for exponent 0.
+  /// The formula above.
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
               const Vec3f& lightColor) const override;
   const char* getKind() const override { return "PhongMaterial"; }
@@ -85,7 +100,7 @@ class PhongMaterial : public Material {
   const DiffuseMap* diffuseMap_ = nullptr;
   Vec3f specularColor_;
   float exponent_;
-  bool isHighlightDimmed_ = false;
+  Highlight highlight_ = Highlight::lit;
 };
 
 /// The halfway vector turns half as fast as the mirror direction, so 4 times the exponent of a

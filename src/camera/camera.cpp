@@ -12,22 +12,22 @@
 
 #include "math/functions.h"
 
-Camera::Camera(const Vec3d& center, const Vec3d& direction, const Vec3d& up)
-    : center_(center),
-      direction_(normalize(direction)),
-      right_(normalize(cross(direction_, up))),
-      up_(cross(right_, direction_)) {}
+CameraFrame CameraFrame::turned(const Vec3d& direction, const Vec3d& up) {
+  const Vec3d ahead = normalize(direction), right = normalize(cross(ahead, up));
+  return {ahead, right, cross(right, ahead)};
+}
 
 Ray OrthographicCamera::generateRay(const Vec2d& point) const {
-  return {eye_ray::origin(center_, right_, up_, size_, point.x(), point.y()), direction_};
+  return {eye_ray::origin(center_, frame_.right, frame_.up, size_, point.x(), point.y()),
+          frame_.direction};
 }
 
 double OrthographicCamera::getTMin() const { return -std::numeric_limits<double>::infinity(); }
 
-PerspectiveCamera::PerspectiveCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up,
-                                     double angle)
-    : Camera(center, direction, up), spread_(2 * math::tan(angle / 2)) {}
+PerspectiveCamera::PerspectiveCamera(const Vec3d& center, const CameraFrame& frame, double angle)
+    : Camera(center, frame), spread_(2 * math::tan(angle / 2)) {}
 
 Ray PerspectiveCamera::generateRay(const Vec2d& point) const {
-  return {center_, eye_ray::direction(direction_, right_, up_, spread_, point.x(), point.y())};
+  return {center_, eye_ray::direction(frame_.direction, frame_.right, frame_.up, spread_, point.x(),
+                                      point.y())};
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kList = R"(Reading:
   -input FILE            scene to read (needed but for -compare and -merge); -
                          is standard input
-  -course 2003|2004      the year of the course whose rules and defaults hold;
+  -course COURSE         the year of the course whose rules and defaults hold;
                          what is given besides wins (default: 2003)
 
 Pictures:

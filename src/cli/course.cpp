@@ -1,5 +1,6 @@
 // The courses, one function that fills in each row: what it does not mention is as in 2003.
-// Sources: MIT 6.837, "Introduction to Computer Graphics", assignments of 2003 and 2004.
+// Sources: MIT 6.837, "Introduction to Computer Graphics", assignments of 2003, 2004, 2012 and 2016
+// to 2020; the courses of Tsinghua University (thu) and Aalto University (aalto) that follow it.
 #include "cli/course.h"
 
 #include <limits>
@@ -54,9 +55,92 @@ Course course2004() {
   return course;
 }
 
+/// What the years from 2012 on have in common: one ray a pixel, and nothing more unless it is asked
+/// for.
+Course laterCourse(std::string_view name, Language language) {
+  Course course = course2003();
+  course.name = name;
+  course.render.maxBounces = 0;
+  course.render.minWeight = 0;
+  course.render.shadows = false;
+  course.render.epsilon = {Epsilon::Kind::fixed, Epsilon::kCourse};
+  course.render.places.unit = PixelPlaces::Unit::bothSides;
+  course.render.places.inset = 1;
+  course.scene.language = language;
+  course.scene.areHighlightsEverywhere = true;
+  course.format = PictureFormat::bmp;
+  course.hasJitter = true;
+  return course;
+}
+
+/// Assignment 5 of 2012: colours of secondary rays in place of highlights.
+Course rayTracing2012() {
+  Course course = laterCourse(kCourseNames[2], Language::of2012);
+  course.render.maxBounces = 4;
+  course.render.blendsGlass = true;
+  course.render.isAmbientPlain = true;
+  course.scene.areHighlightsEverywhere = false;
+  course.scene.haveHighlights = false;
+  course.scene.leastMirror = 0.001f;
+  return course;
+}
+
+/// Assignment 4 of 2012: ray casting.
+Course rayCasting2012(const Course& withBounces) {
+  Course course = laterCourse(kCourseNames[2], Language::of2012);
+  course.withBounces = &withBounces;
+  return course;
+}
+
+Course course2016() {
+  Course course = laterCourse(kCourseNames[3], Language::of2016);
+  course.render.epsilon.value = 0.01;
+  course.scene.cameraUp = SceneRules::CameraUp::asWritten;
+  course.scene.nearFalloff = 0;
+  course.scene.leastMirror = 0;
+  course.format = PictureFormat::png;
+  course.isNearBlack = true;
+  course.hasSignedNormals = true;
+  return course;
+}
+
+Course course2020() {
+  Course course = course2016();
+  course.name = kCourseNames[4];
+  course.scene.language = Language::of2020;
+  course.scene.cameraUp = SceneRules::CameraUp::unit;
+  return course;
+}
+
+Course courseThu() {
+  Course course = laterCourse(kCourseNames[5], Language::ofThu);
+  course.render.places.inset = 0;
+  course.render.places.shift = 0.5;
+  course.scene.cameraUp = SceneRules::CameraUp::unscaled;
+  course.hasBareFiles = true;
+  course.hasJitter = false;
+  return course;
+}
+
+Course courseAalto() {
+  Course course = laterCourse(kCourseNames[6], Language::of2003);
+  course.render.minWeight = 0.1f;
+  course.render.darkBacks = true;
+  course.render.places = {};
+  course.render.places.unit = PixelPlaces::Unit::height;
+  course.scene.areHighlightsEverywhere = false;
+  course.format = PictureFormat::png;
+  course.hasJitter = false;
+  course.uniformSamples = SamplingOptions::Pattern::random;
+  return course;
+}
+
 }  // namespace
 
 const Course& courseAt(std::size_t place) {
-  static const Course kCourses[] = {course2003(), course2004()};
+  static const Course kRayTracing2012 = rayTracing2012();
+  static const Course kCourses[] = {course2003(), course2004(), rayCasting2012(kRayTracing2012),
+                                    course2016(), course2020(), courseThu(),
+                                    courseAalto()};
   return kCourses[place];
 }

@@ -37,12 +37,18 @@ struct Course {
   SamplingOptions::Pattern uniformSamples = SamplingOptions::Pattern::uniform;
   /// Whether -jitter and -filter, which its pages' commands have, are taken.
   bool hasJitter = false;
+  /// The row that holds instead where the scene has glass, or -bounces says more than 0; or null.
+  /// It has the same name and language.
+  const Course* withBounces = nullptr;
+  /// Two words without a dash are the scene and the picture.
+  bool hasBareFiles = false;
   /// Whether -gui, -gouraud and -tessellation, which its pages' commands have, are taken.
   bool hasWindows = false;
 };
 
 /// The names of all courses; the first is the one that holds where none is chosen.
-inline constexpr std::string_view kCourseNames[] = {"2003", "2004"};
+inline constexpr std::string_view kCourseNames[] = {"2003", "2004", "2012", "2016",
+                                                    "2020", "thu",  "aalto"};
 
 /// The course at that place among the names.
 const Course& courseAt(std::size_t place);

@@ -38,7 +38,7 @@ std::string textOf(const Request& request) {
 
 int answer(const Request& request) {
   if (request.text != ProgramText::none) return print(textOf(request));
-  if (request.check) return checkScene(request.render.picture.scene, request.run.quiet);
+  if (request.check) return checkScene(request.render.picture, request.run.quiet);
   if (request.compare.isWanted()) return runComparison(request.compare, request.run);
   if (!request.merge.isWanted()) return renderScene(request.render, request.run);
   checkMergedFiles(request.merge);

@@ -48,12 +48,15 @@ const Output* previewOf(std::vector<Output>& outputs) {
 /// One run, and what its steps hand on.
 class RenderRun {
  public:
-  /// Parses the scene. The requests are not owned.
+  /// Parses the scene, to which the request is adapted. `run` is not owned.
   RenderRun(const RenderRequest& request, const RunRequest& run)
       : request_(request),
         run_(run),
-        scene_(readScene(request, run, notes_)),
-        outputs_(outputsOf(request)) {}
+        scene_(readScene(request_, run, notes_)),
+        outputs_(outputsOf(request_)) {
+    const SceneParser::PictureSize& size = scene_.getPictureSize();
+    if (size.width > 0) request_ = adapted(request_, *request_.picture.course, size);
+  }
 
   const SceneParser& scene() const { return scene_; }
   /// To be had when all is traced; the checkpoint has then done its service.
@@ -74,7 +77,7 @@ class RenderRun {
   void traceRays(RenderTargets targets, RunDisplay& display);
   void inspect(const Object3D& geometry, const MaterialColors& materialColors);
 
-  const RenderRequest& request_;
+  RenderRequest request_;
   const RunRequest& run_;
   Stopwatch watch_;
   Stats stats_;

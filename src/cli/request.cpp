@@ -77,38 +77,49 @@ std::vector<std::string> followingWords(const std::vector<std::string>& words, s
   return found;
 }
 
-/// Enters the rules and defaults of the course that the last -course chooses, before any argument
-/// speaks. A name that is none is told when its turn comes.
-void startFromCourse(const std::vector<std::string>& words, Draft& draft) {
+/// Enters the rules and defaults of a course, before any argument speaks.
+void startFrom(const Course& course, Draft& draft) {
   PictureRequest& picture = draft.render.picture;
+  picture.course = &course;
+  picture.render = course.render;
+  picture.rules = course.scene;
+}
+
+/// The course that the last -course chooses. A name that is none is told when its turn comes.
+const Course& courseOf(const std::vector<std::string>& words) {
+  const Course* course = &courseAt(0);
   const WordList names(kCourseNames);
   for (std::size_t at = 1; at < words.size(); ++at) {
     const auto found = std::find(names.begin(), names.end(), words[at]);
     if (nameOf(words[at - 1]) != "course" || found == names.end()) continue;
-    picture.course = &courseAt(std::size_t(found - names.begin()));
+    course = &courseAt(std::size_t(found - names.begin()));
   }
-  picture.render = picture.course->render;
-  picture.rules = picture.course->scene;
+  return *course;
 }
 
 /// Enters all arguments in `draft`; the rows of them all, in their order. Of equal arguments the
 /// last one wins.
-std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& commandLine,
-                                              Draft& draft) {
-  const std::vector<std::string> words = separated(commandLine);
-  startFromCourse(words, draft);
+std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& words, Draft& draft) {
   std::vector<const ArgumentRow*> rows;
   std::vector<GivenArgument>& given = draft.render.given;
+  std::vector<std::string> bareNames;  // of the arguments that words without a dash stand for
+  if (draft.render.picture.course->hasBareFiles) bareNames = {"output", "input"};
   for (std::size_t at = 0; at < words.size();) {
-    const ArgumentRow* row = findArgument(nameOf(words[at]));
+    const bool isBare = nameOf(words[at]).empty() && !words[at].empty() && !bareNames.empty();
+    const ArgumentRow* row = findArgument(isBare ? bareNames.back() : nameOf(words[at]));
     if (!row) failUnknown(words[at]);
-    const GivenArgument argument = {row->name, followingWords(words, at, *row)};
+    GivenArgument argument = {row->name, {words[at]}};
+    if (isBare) {
+      bareNames.pop_back();
+    } else {
+      argument.words = followingWords(words, at, *row);
+    }
     row->action->apply(ArgumentWords(*row, argument.words), draft);
     const auto isSame = [&](const GivenArgument& other) { return other.name == row->name; };
     given.erase(std::remove_if(given.begin(), given.end(), isSame), given.end());
     given.push_back(argument);
     rows.push_back(row);
-    at += 1 + argument.words.size();
+    at += isBare ? 1 : 1 + argument.words.size();
   }
   return rows;
 }
@@ -292,16 +303,39 @@ const OutputRequest* ResultRequest::find(OutputRequest::Kind kind) const {
   return nullptr;
 }
 
-Request parseRequest(const std::vector<std::string>& words, const RunRequest& defaults) {
+Request parseRequest(const std::vector<std::string>& commandLine, const RunRequest& defaults) {
   Draft draft;
   draft.run = defaults;
+  const std::vector<std::string> words = separated(commandLine);
   if (words.empty()) draft.text = ProgramText::shortHelp;
+  startFrom(courseOf(words), draft);
   const std::vector<const ArgumentRow*> given = readArguments(words, draft);
   draft.run.threads = threadCount(draft.run);
   if (draft.text != ProgramText::none) return draft;
   checkMode(draft, given);
   if (draft.compare.isWanted() || draft.merge.isWanted()) return draft;
   checkComplete(draft);
-  fitPicture(draft);
+  const PictureRequest& picture = draft.render.picture;
+  if (picture.course->withBounces && picture.render.maxBounces > 0) {
+    draft.render = adapted(draft.render, *picture.course->withBounces, {});
+  } else {
+    fitPicture(draft);
+  }
   return draft;
+}
+
+RenderRequest adapted(const RenderRequest& request, const Course& course,
+                      const SceneParser::PictureSize& size) {
+  Draft draft;
+  if (size.width > 0) draft.render.picture.width = size.width;
+  if (size.height > 0) draft.render.picture.height = size.height;
+  startFrom(course, draft);
+  for (const GivenArgument& given : request.given) {
+    const ArgumentRow& row = *findArgument(given.name);
+    row.action->apply(ArgumentWords(row, given.words), draft);
+  }
+  draft.render.picture.course = &course;
+  draft.render.given = request.given;
+  fitPicture(draft);
+  return draft.render;
 }

@@ -16,9 +16,10 @@
 #include "cli/program.h"
 #include "render/image_plane.h"
 #include "render/render_options.h"
+#include "scene/scene_parser.h"
 
 /// Limits of the arguments; TGA stores a side of the image in 16 bits.
-inline constexpr int kMaxImageSide = 65535;
+inline constexpr int kMaxImageSide = SceneParser::kMostPixels;
 inline constexpr int kMaxThreads = 1024;
 inline constexpr int kMaxMemoryLimit = 100000000;  // MB
 
@@ -153,6 +154,12 @@ struct Request {
   RenderRequest render;
   RunRequest run;  ///< of all modes
 };
+
+/// The same request under another course, of a scene that gives its picture that size (0, 0 where
+/// it does not). What the arguments say wins over both. Throws UsageError where they do not fit the
+/// size.
+RenderRequest adapted(const RenderRequest& request, const Course& course,
+                      const SceneParser::PictureSize& size);
 
 /// Reads the command line `words`, without the program's own name. What it does not say of the run
 /// is as in `defaults`; where neither says how many threads, there are as many as cores, or fewer

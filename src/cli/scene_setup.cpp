@@ -66,7 +66,7 @@ void warnOfThinGlass(const SceneParser::ThinSolid& thinnest, const Epsilon& epsi
 
 }  // namespace
 
-SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNotes& notes) {
+SceneParser readScene(RenderRequest& render, const RunRequest& run, ReadNotes& notes) {
   const std::string& file = render.picture.scene;
   return withMemory("to read " + displayName(file), [&] {
     const SourceText text = SourceText::read(file);
@@ -75,6 +75,8 @@ SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNo
     if (!run.checkpoint.empty() || render.picture.isPart) {
       notes.digest = sha256(bytes.data(), bytes.size());
     }
+    const Course* const withBounces = render.picture.course->withBounces;
+    if (withBounces && SceneParser::hasGlass(text)) render = adapted(render, *withBounces, {});
     return SceneParser(text, render.results.pixel ? &notes.places : nullptr, render.picture.rules);
   });
 }
@@ -94,10 +96,11 @@ void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet)
   }
 }
 
-int checkScene(const std::string& file, bool quiet) {
+int checkScene(const PictureRequest& picture, bool quiet) {
+  const std::string& file = picture.scene;
   std::vector<std::string> warnings;
   const std::vector<InputError> mistakes = withMemory("to read " + displayName(file), [&] {
-    return SceneParser::check(file.c_str(), quiet ? nullptr : &warnings);
+    return SceneParser::check(file.c_str(), quiet ? nullptr : &warnings, picture.rules);
   });
   for (const std::string& warning : warnings) complain("warning: " + warning);
   for (const InputError& mistake : mistakes) complain(mistake.what());

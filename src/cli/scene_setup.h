@@ -18,15 +18,16 @@ struct ReadNotes {
   ObjectPlaces places;  ///< for -pixel
 };
 
-/// Reads the scene that is wanted and its meshes. Throws InputError, OutOfMemory.
-SceneParser readScene(const RenderRequest& render, const RunRequest& run, ReadNotes& notes);
+/// Reads the scene that is wanted and its meshes. Where its course has other rules for such a
+/// scene, `render` is adapted to them before. Throws InputError, OutOfMemory.
+SceneParser readScene(RenderRequest& render, const RunRequest& run, ReadNotes& notes);
 
 /// Prints the warnings, unless `quiet`, and finds out what rendering will ask.
 void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet);
 
-/// The run of -check of the scene `file`: prints all mistakes, or that there are none, and returns
-/// the exit status.
-int checkScene(const std::string& file, bool quiet);
+/// The run of -check of the scene: prints all mistakes, or that there are none, and returns the
+/// exit status.
+int checkScene(const PictureRequest& picture, bool quiet);
 
 /// What answers for the objects of a scene: the compiled scene, a grid, the cells of a grid, or the
 /// objects themselves.

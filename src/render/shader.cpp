@@ -38,6 +38,12 @@ double reflectance(const Material& material, const Interface& interface, double 
   return dielectricReflectance(std::fabs(approach), behind / before);
 }
 
+/// The same as Schlick has it, by the index behind the surface.
+double blend(const Material& material, const Interface& interface, double approach) {
+  return schlickReflectance(approach, double(interface.before.indexAt(material)),
+                            double(interface.behind.indexAt(material)));
+}
+
 }  // namespace
 
 Shader::Shader(const SceneParser& scene, const RenderOptions& options)
@@ -59,7 +65,8 @@ void Shader::sampleLight(int index, const Surface& s, LightSample& light) const 
   scene_->getLight(index)->getIllumination(s.hit.getIntersectionPoint(), light.direction,
                                            light.color, light.distance);
   const double cosine = dot(s.hit.getNormal(), light.direction), approach = approachOf(s);
-  light.isInFront = !isDark(approach) && (isTurned(approach) ? cosine < 0 : cosine > 0);
+  const bool isTowards = isTurned(approach) ? cosine < 0 : cosine > 0;
+  light.isInFront = !isDark(approach) && (isTowards || scene_->hasHighlightsBehind());
 }
 
 void Shader::setShadowQuery(const Surface& s, const LightSample& light, ShadowQuery& query) const {
@@ -119,11 +126,14 @@ Outcome Shader::mirrored(const Surface& s, TracedRay& next) const {
 }
 
 /// With `fresnel`, glass mirrors by Fresnel's equations and takes no notice of its reflective
-/// colour; a metal's grows towards white at grazing angles (Schlick).
+/// colour; a metal's grows towards white at grazing angles (Schlick). Blended glass mirrors a part
+/// of its reflective colour.
 Vec3f Shader::mirrorFactor(const Material& material, const Interface& interface,
                            double approach) const {
   const Vec3f color = material.getReflectiveColor();
-  if (!options_.fresnel) return color;
+  if (!options_.fresnel) {
+    return isBlended(material) ? color * grey(blend(material, interface, approach)) : color;
+  }
   if (material.isTransparent()) return grey(reflectance(material, interface, approach));
   if (!anyPositive(color)) return Vec3f();
   return Vec3f(schlickReflectance(std::fabs(approach), Vec3d(color)));
@@ -153,6 +163,7 @@ Outcome Shader::refracted(const Surface& s, TracedRay& next) const {
 Vec3f Shader::refractedFactor(const Material& material, const Interface& interface,
                               double approach) const {
   const Vec3f color = material.getTransparentColor();
+  if (isBlended(material)) return color * grey(1 - blend(material, interface, approach));
   if (!options_.fresnel || !anyPositive(color)) return color;
   const Vec3f passed = grey(1 - reflectance(material, interface, approach));
   return interface.isClosed ? passed : color * passed;

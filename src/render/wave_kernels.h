@@ -5,6 +5,7 @@
 #include "camera/camera.h"
 #include "math/simd_level.h"
 #include "render/wave_tables.h"
+#include "shading/phong_material.h"
 
 /// A camera that has a wide form; see Camera.
 struct EyeFrame {
@@ -16,6 +17,7 @@ struct EyeFrame {
 /// A light that has a wide form.
 struct LightNumbers {
   bool isPoint;
+  bool isSeenBehind;      ///< by surfaces that are turned away from it too
   double place[3];        ///< of a point light; else the unit direction to it
   double color[3];        ///< each a float
   double attenuation[3];  ///< of a point light
@@ -23,7 +25,8 @@ struct LightNumbers {
 
 /// A PhongMaterial or a BlinnPhongMaterial.
 struct PhongNumbers {
-  bool isBlinn, isDimmed;  ///< isDimmed: the highlight too is multiplied by n.l
+  bool isBlinn;
+  phong_light::Highlight highlight;
   double diffuse[3], specular[3], exponent;
 };
 
@@ -47,7 +50,7 @@ struct WaveKernels {
   /// The origins and directions of `count` eye rays through the image points (x, y).
   void (*eyeRays)(const EyeFrame& eye, const double* x, const double* y, int count,
                   const RayTable& rays);
-  /// Fills `light` with the rays from surfaces that are turned towards it.
+  /// Fills `light` with the rays from surfaces that are turned towards it, or from all.
   void (*sampleLight)(const LightNumbers& numbers, const WaveSurfaces& surfaces, WaveLight& light);
   /// Adds to the surfaces, all of one material, what they send back of the listed light.
   void (*reflect)(const PhongNumbers& material, const WaveLight& light, const RowList& list,

@@ -41,7 +41,7 @@ bool toNumbers(const Material& material, PhongNumbers& numbers) {
   copyTo(numbers.diffuse, phong.getDiffuseColor());
   copyTo(numbers.specular, phong.getSpecularColor());
   numbers.exponent = double(phong.getExponent());
-  numbers.isDimmed = phong.isHighlightDimmed();
+  numbers.highlight = phong.getHighlight();
   return true;
 }
 
@@ -68,6 +68,7 @@ void WaveTracer::sampleLight(int index, const WaveGeneration& generation,
                              const WaveSurfaces& surfaces, WaveLight& light) const {
   const Light& asked = *tracer_.scene().getLight(index);
   LightNumbers numbers;
+  numbers.isSeenBehind = tracer_.scene().hasHighlightsBehind();
   if (toNumbers(asked, numbers)) {
     kernels_.sampleLight(numbers, surfaces, light);
   } else {
@@ -76,7 +77,7 @@ void WaveTracer::sampleLight(int index, const WaveGeneration& generation,
       Vec3f color;
       double distance;
       asked.getIllumination(rowOf(surfaces.point, k), direction, color, distance);
-      if (!(dot(rowOf(surfaces.lit, k), direction) > 0)) continue;
+      if (!numbers.isSeenBehind && !(dot(rowOf(surfaces.lit, k), direction) > 0)) continue;
       light.surface[light.count] = std::uint16_t(k);
       setRowOf(light.direction, light.count, direction);
       setRowOf(light.color, light.count, color);

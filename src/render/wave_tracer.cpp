@@ -69,7 +69,7 @@ class WaveTracer::Branches {
   /// Lists those of [first, last) at which a ray follows, with its weight and factor.
   int follow(RayKind kind, const Material& material, int first, int last) {
     const Shader& shader = tracer_.tracer_.shader();
-    if (!generation_.interfaces && !shader.options().fresnel) {
+    if (!generation_.interfaces && !shader.areFactorsAngular()) {
       return followAlike(kind, material, first, last);
     }
     int count = 0;
@@ -126,7 +126,7 @@ class WaveTracer::Branches {
   void addRefracted(int count, const Material& material) {
     RefractionNumbers numbers{tracer_.tracer_.shader().keepsStraight(),
                               double(material.getIndexOfRefraction()), nullptr, nullptr};
-    if (generation_.interfaces || tracer_.tracer_.shader().options().fresnel) {
+    if (generation_.interfaces || tracer_.tracer_.shader().areFactorsAngular()) {
       numbers.before = before_;
       numbers.behind = behind_;
     }

@@ -10,6 +10,7 @@
 
 #include "scene/decimal.h"
 #include "scene/number_reader.h"
+#include "scene/scene_parser.h"
 
 namespace {
 
@@ -48,14 +49,18 @@ bool isWord(std::string_view word, std::string_view name) {
   return word == olderForm;
 }
 
-Fields::Fields(std::initializer_list<std::string_view> blocks) {
+Fields::Fields(Language language, std::initializer_list<std::string_view> blocks) {
   for (const std::string_view block : blocks) {
     const Field* row = std::begin(kFields);
     while (row->block != block) ++row;
     for (; row != std::end(kFields) && row->block == block; ++row) {
-      values_.at(count_++) = {row, row->defaults, nullptr};
+      if (isIn(row->languages, language)) values_.at(count_++) = {row, row->defaults, nullptr};
     }
   }
+}
+
+bool Fields::has(std::string_view name) const {
+  return std::any_of(begin(), end(), [&](const Value& v) { return v.field->name == name; });
 }
 
 const Value& Fields::operator[](std::string_view name) const {
@@ -183,9 +188,13 @@ std::string_view FieldReader::fileNameAt(const char* at) const {
 // Fields.
 
 bool FieldReader::readFields(std::string_view owner, Fields& fields, const OwnReader& readOwn) {
-  const std::size_t mistakesBefore = mistakeCount_;
   const char* const start = at();
-  if (!openBlock(owner)) return false;
+  return openBlock(owner) && readOpenFields(owner, start, fields, readOwn);
+}
+
+bool FieldReader::readOpenFields(std::string_view owner, const char* start, Fields& fields,
+                                 const OwnReader& readOwn) {
+  const std::size_t mistakesBefore = mistakeCount_;
   for (Value* next = fields.begin(); !isAt('}');) {
     if (Value* const value = fields.find(word_, next); value != fields.end()) {
       readField(*value, readOwn);
@@ -279,6 +288,11 @@ bool FieldReader::checkRange(Value& value) {
       break;
     case Range::atLeastZero:
       if (number < 0) expected = std::string(name) + " of at least 0";
+      break;
+    case Range::side:
+      if (number < 1 || number > SceneParser::kMostPixels) {
+        expected = std::string(name) + " from 1 to " + std::to_string(SceneParser::kMostPixels);
+      }
       break;
     case Range::angle:
       if (number >= 180) expected = "an angle below 180 degrees";

@@ -38,10 +38,12 @@ struct Value {
 /// The values of one block's fields: its own and those that it shares with others.
 class Fields {
  public:
-  /// The defaults of all fields that kFields lists for these, each of which has one or more. In
-  /// this order messages list them.
-  Fields(std::initializer_list<std::string_view> blocks);
+  /// The defaults of all fields that kFields lists for these in that language. In this order
+  /// messages list them.
+  Fields(Language language, std::initializer_list<std::string_view> blocks);
 
+  /// Whether the block has a field of that name in this language.
+  bool has(std::string_view name) const;
   /// The value of that name, which must be one of the block's.
   const Value& operator[](std::string_view name) const;
   /// The value that `word` names, be it in the older form; end() where there is none. `next` is
@@ -75,7 +77,10 @@ class FieldReader {
   using OwnReader = std::function<bool(std::string_view name)>;
 
   /// Both must outlive the reader.
-  FieldReader(const SourceText& text, MistakeLog& log);
+  FieldReader(const SourceText& text, MistakeLog& log, Language language);
+
+  /// In which the text is written.
+  Language language() const { return language_; }
 
   /// The current word; empty at the end of the input.
   std::string_view word() const { return word_; }
@@ -86,6 +91,8 @@ class FieldReader {
   bool isAt(char brace) const { return !word_.empty() && word_[0] == brace; }
   /// True where the current word begins a block or a setting, so that it belongs to no other one.
   bool isAtBlock() const;
+  /// True where the current word is a step of a Transform, be it in another language.
+  bool isAtStep() const;
   void advance();
   const SourceText& text() const { return text_; }
 
@@ -136,6 +143,9 @@ class FieldReader {
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.
   /// A required field that is missing is a mistake too.
   bool readFields(std::string_view owner, Fields& fields, const OwnReader& readOwn = {});
+  /// The same from behind the `{`; messages call `start` the block's place.
+  bool readOpenFields(std::string_view owner, const char* start, Fields& fields,
+                      const OwnReader& readOwn = {});
   /// Looks at the ranges of the values that were given of the fields that the table lists for
   /// `block`, in its order.
   bool checkRanges(std::string_view block, Fields& fields);
@@ -172,6 +182,7 @@ class FieldReader {
 
   const SourceText& text_;
   MistakeLog& log_;
+  const Language language_;
   Tokenizer tokenizer_;
   std::string_view word_;
   const char* lastEnd_;

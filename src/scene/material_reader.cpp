@@ -24,10 +24,24 @@ void MaterialReader::readSection() {
   if (in_.mistakeCount() > mistakesBefore) areIndicesSure_ = false;
 }
 
+/// In 2020: without a count.
+void MaterialReader::readNodeMaterials() {
+  if (!in_.openBlock("Materials")) return;
+  while (!in_.atEnd() && !in_.isAt('}') && !isOneOf(in_.word(), kNodeSectionWords)) {
+    if (!isOneOf(in_.word(), kNodeMaterialWords)) {
+      in_.skipUnknown("Materials", kNodeMaterialWords);
+      continue;
+    }
+    add();
+    ++notes_.listedMaterials;
+  }
+  in_.closeBlock("Materials");
+}
+
 void MaterialReader::readInline() {
-  currentPlace_ = materials_.size();
+  const std::size_t place = materials_.size();
   add();
-  current_ = materials_.back().get();
+  current_ = {materials_.back().get(), place};
 }
 
 void MaterialReader::add() {
@@ -35,18 +49,17 @@ void MaterialReader::add() {
   materials_.push_back(read());
 }
 
-void MaterialReader::readIndex() {
+void MaterialReader::readIndex(std::string_view name) {
   in_.advance();
   const char* const at = in_.at();
   int index = 0;
-  if (in_.readWholeNumber("MaterialIndex", index)) {
+  if (in_.readWholeNumber(name, index)) {
     if (index >= 0 && std::size_t(index) < notes_.listedMaterials) {
-      currentPlace_ = std::size_t(index);
-      current_ = materials_[currentPlace_].get();
+      current_ = {materials_[std::size_t(index)].get(), std::size_t(index)};
       return;
     }
     if (areIndicesSure_) {
-      in_.report(at, "MaterialIndex out of range: expected one of " +
+      in_.report(at, std::string(name) + " out of range: expected one of " +
                          counted(notes_.listedMaterials, "material") + ", counted from 0, found " +
                          in_.quotedAt(at));
     }
@@ -55,12 +68,15 @@ void MaterialReader::readIndex() {
 }
 
 const Material* MaterialReader::materialFor(std::string_view owner, const char* at) {
-  if (current_) {
-    notes_.materials[currentPlace_].isUsed = true;
-    return current_;
+  if (current_.material) {
+    notes_.materials[current_.place].isUsed = true;
+    return current_.material;
   }
   if (!isMissed_) {
-    in_.report(at, "expected a MaterialIndex before the first object, found " + quoted(owner));
+    const bool hasNodes = in_.language() == Language::of2020;
+    in_.report(at, std::string("expected a ") +
+                       (hasNodes ? "Component<Material>" : "MaterialIndex") +
+                       " before the first object, found " + quoted(owner));
   }
   isMissed_ = true;
   return nullptr;
@@ -69,11 +85,12 @@ const Material* MaterialReader::materialFor(std::string_view owner, const char* 
 std::unique_ptr<Material> MaterialReader::read() {
   const std::string_view owner = in_.word();
   in_.advance();
+  if (in_.language() == Language::of2020) return readNodeMaterial(owner);
   if (isOneOf(owner, kTextureWords)) return readTexture(owner);
   const bool isPhong =
       owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";
   const std::string_view kind = isPhong ? "PhongMaterial" : owner;
-  Fields fields = {kind, "every material"};
+  Fields fields(in_.language(), {kind, "every material"});
   std::size_t distribution = 0;
   in_.readFields(owner, fields, [&](std::string_view name) {
     return in_.readChoice(name, kDistributionWords, distribution);
@@ -83,6 +100,16 @@ std::unique_ptr<Material> MaterialReader::read() {
   std::unique_ptr<Material> material = make(owner, fields, distribution);
   material->setPriority(fields["priority"].whole());
   return material;
+}
+
+std::unique_ptr<Material> MaterialReader::readNodeMaterial(std::string_view owner) {
+  Fields fields(in_.language(), {"node material"});
+  in_.readFields(owner, fields);
+  in_.checkRanges("node material", fields);
+  PhongWords words = {fields["diffuse"].color(), fields["specular"].color(), {}, {}};
+  words.exponent = &fields["shininess"];
+  if (length(words.specular) > rules_.leastMirror) words.reflective = words.specular;
+  return makePhong(owner, words);
 }
 
 std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fields& fields,
@@ -108,20 +135,38 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
         distribution == 0 ? Distribution::ggx : Distribution::beckmann, transparent, reflective,
         index);
   }
-  const float exponent = fields["exponent"].single();
-  const char* const exponentAt = fields["exponent"].at;
-  if (exponentAt && exponent < 1 && anyPositive(specular)) {
+  PhongWords words = {diffuse, specular, transparent, reflective, index};
+  words.exponent = &fields[fields.has("shininess") ? "shininess" : "exponent"];
+  if (length(specular) > rules_.leastMirror) {
+    if (!fields["reflectiveColor"].at) words.reflective = specular;
+    const bool refracts = fields.has("refractionIndex") && fields["refractionIndex"].single() > 0;
+    if (refracts && !fields["transparentColor"].at) words.transparent = specular;
+    if (refracts) words.index = fields["refractionIndex"].single();
+  }
+  return makePhong(owner, words);
+}
+
+std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, PhongWords& words) {
+  using Highlight = PhongMaterial::Highlight;
+  const float exponent = words.exponent->single();
+  const char* const exponentAt = words.exponent->at;
+  if (exponentAt && exponent < 1 && anyPositive(words.specular)) {
     notes_.lowExponents.emplace_back(exponentAt, in_.quotedAt(exponentAt));
   }
+  if (!rules_.haveHighlights) words.specular = Vec3f();
   std::unique_ptr<PhongMaterial> material;
   if (rules_.isHighlightHalfway || owner == "BlinnPhongMaterial") {
-    material = std::make_unique<BlinnPhongMaterial>(diffuse, specular, exponent, transparent,
-                                                    reflective, index);
+    material = std::make_unique<BlinnPhongMaterial>(
+        words.diffuse, words.specular, exponent, words.transparent, words.reflective, words.index);
   } else {
-    material = std::make_unique<PhongMaterial>(diffuse, specular, exponent, transparent, reflective,
-                                               index);
+    material = std::make_unique<PhongMaterial>(words.diffuse, words.specular, exponent,
+                                               words.transparent, words.reflective, words.index);
   }
-  if (rules_.areHighlightsDimmed) material->dimHighlight();
+  if (rules_.areHighlightsDimmed) material->setHighlight(Highlight::dimmed);
+  if (rules_.areHighlightsEverywhere) {
+    material->setHighlight(Highlight::everywhere);
+    haveHighlightsBehind_ |= anyPositive(words.specular);
+  }
   return material;
 }
 
@@ -157,7 +202,7 @@ std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
   const char* const start = in_.at();
   const bool isWave = owner == "Marble" || owner == "Wood";
   const std::string_view kind = isWave ? "every wave" : owner;
-  Fields fields = {"every texture", kind};
+  Fields fields(in_.language(), {"every texture", kind});
   TextureWords words;
   bool isGood = in_.readFields(owner, fields, [&](std::string_view name) {
     if (name == "octaves") return readOctaves(words.octaves);

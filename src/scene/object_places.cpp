@@ -9,7 +9,7 @@
 void ObjectPlaces::begin(std::string_view kind, const char* place) {
   line_ += std::size_t(std::count(counted_, place, '\n'));
   counted_ = place;
-  const auto word = std::find(kObjectWords.begin(), kObjectWords.end(), kind);
+  const auto word = std::find(kPlaceWords.begin(), kPlaceWords.end(), kind);
   std::size_t& members = open_ == kNone ? topMembers_ : places_[open_].members;
   const Place added = {*word, line_, open_, ++members, 0};
   open_ = places_.size();

@@ -32,9 +32,14 @@ const Object3D* ObjectReader::readShape() {
   const char* const at = in_.at();
   const Material* const material = materials_.materialFor(owner, at);
   in_.advance();
-  Fields fields = {owner};
+  Fields fields(in_.language(), {owner});
   const bool isRead = in_.readFields(owner, fields);
   if (!in_.checkRanges(owner, fields) || !isRead) return nullptr;
+  return addShape(owner, at, fields, material);
+}
+
+const Object3D* ObjectReader::addShape(std::string_view owner, const char* at, Fields& fields,
+                                       const Material* material) {
   std::unique_ptr<Object3D> shape = makeShape(owner, at, fields, material);
   if (!shape) return nullptr;
   notes_.objectStarts.emplace_back(shape.get(), at);
@@ -111,7 +116,7 @@ const Object3D* ObjectReader::readGroup() {
 
 namespace {
 
-/// What a step does, given the numbers behind its name.
+/// What a step of that kind does, given the numbers behind its name.
 Matrix matrixOf(std::string_view step, const double* n) {
   if (step == "Translate") return Matrix::translation({n[0], n[1], n[2]});
   if (step == "Scale") return Matrix::scale({n[0], n[1], n[2]});
@@ -154,13 +159,14 @@ std::string shown(const double* numbers, std::size_t count) {
 
 /// What is wrong with a step, or nothing: then `matrix` is what it does.
 std::string problemOf(const Step& step, const double* n, bool mustInvert, Matrix& matrix) {
-  if (step.name == "Rotate" && n[0] == 0 && n[1] == 0 && n[2] == 0) {
+  if (step.kind == "Rotate" && n[0] == 0 && n[1] == 0 && n[2] == 0) {
     return "expected an axis of Rotate that is not zero, found 0 0 0";
   }
-  if (step.name == "Matrix" && !(n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1)) {
-    return "expected 0 0 0 1 as the last row of Matrix, found" + shown(n + 12, 4);
+  if (step.kind == "Matrix" && !(n[12] == 0 && n[13] == 0 && n[14] == 0 && n[15] == 1)) {
+    return "expected 0 0 0 1 as the last row of " + std::string(step.name) + ", found" +
+           shown(n + 12, 4);
   }
-  matrix = matrixOf(step.name, n);
+  matrix = matrixOf(step.kind, n);
   if (!mustInvert || !step.canBeSingular || hasInverse(matrix)) return {};
   return "singular transform: expected a step that can be inverted, found " +
          std::string(step.name) + shown(n, step.numbers);
@@ -196,17 +202,27 @@ bool readStep(FieldReader& in, const Step& step, bool mustInvert, Matrix& produc
 bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& product) {
   bool isGood = true;
   for (;;) {
-    const Step* const step = std::find_if(std::begin(kSteps), std::end(kSteps),
-                                          [&](const Step& each) { return each.name == in.word(); });
+    const auto isNamed = [&](const Step& each) {
+      return each.name == in.word() && isIn(each.languages, in.language());
+    };
+    const Step* const step = std::find_if(std::begin(kSteps), std::end(kSteps), isNamed);
     if (step != std::end(kSteps)) {
       isGood &= readStep(in, *step, mustInvert, product);
-    } else if (in.atEnd() || in.isAt('}') || in.isAtBlock()) {
+    } else if (in.atEnd() || in.isAt('}') || (in.isAtBlock() && !in.isAtStep())) {
       return isGood;
     } else {
       in.skipUnknown("Transform", allowed);
       isGood = false;
     }
   }
+}
+
+bool checkInverse(FieldReader& in, const char* at, const Matrix& product) {
+  if (hasInverse(product)) return true;
+  in.report(at,
+            "singular transform: expected steps that, multiplied, can be inverted, found their "
+            "product singular");
+  return false;
 }
 
 const Object3D* ObjectReader::readTransform() {
@@ -219,13 +235,7 @@ const Object3D* ObjectReader::readTransform() {
   const bool areStepsGood = readSteps(in_, kTransformWords, true, matrix);
   const Object3D* const object = readMovedObject(areStepsGood);
   --depth_;
-  if (!areStepsGood) return nullptr;
-  if (!hasInverse(matrix)) {
-    in_.report(at,
-               "singular transform: expected steps that, multiplied, can be inverted, found their "
-               "product singular");
-    return nullptr;
-  }
+  if (!areStepsGood || !checkInverse(in_, at, matrix)) return nullptr;
   return object ? keep(std::make_unique<Transform>(matrix, object)) : nullptr;
 }
 

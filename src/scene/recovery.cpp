@@ -10,9 +10,15 @@
 
 namespace {
 
+bool isStepWord(std::string_view word) {
+  const auto isName = [&](const Step& step) { return step.name == word; };
+  return std::any_of(std::begin(kSteps), std::end(kSteps), isName);
+}
+
 bool isBlockWord(std::string_view word) {
-  return isOneOf(word, kGroupWords) || isOneOf(word, kStepWords) || isOneOf(word, kLightWords) ||
-         isOneOf(word, kSectionWords);
+  return isOneOf(word, kGroupWords) || isStepWord(word) || isOneOf(word, kLightWords) ||
+         isOneOf(word, kSectionWords) || isOneOf(word, kNodeWords) ||
+         isOneOf(word, kNodeSectionWords);
 }
 
 /// True for every word of the language.
@@ -23,14 +29,50 @@ bool isKnownWord(std::string_view word) {
          std::any_of(std::begin(kFields), std::end(kFields), isField);
 }
 
+/// The languages that have the word.
+Languages languagesOf(std::string_view word) {
+  Languages languages = 0;
+  for (const Field& field : kFields) {
+    if (isWord(word, field.name)) languages |= field.languages;
+  }
+  for (const Step& step : kSteps) {
+    if (step.name == word) languages |= step.languages;
+  }
+  const auto addIf = [&](bool isTheirs, Languages some) { languages |= isTheirs ? some : 0; };
+  addIf(isOneOf(word, kCountWords) || isOneOf(word, kSectionWords) || isOneOf(word, kGroupWords) ||
+            isOneOf(word, kLightWords),
+        but(kOf2020));
+  addIf(isOneOf(word, kNodeSectionWords) || isOneOf(word, kNodeWords) ||
+            isOneOf(word, kNodeMaterialWords),
+        kOf2020);
+  return languages;
+}
+
+/// "shininess is a word of 2012, 2016 and thu: add -course 2012" for a word of other languages.
+std::string otherCourses(std::string_view word, Language language) {
+  const Languages languages = languagesOf(word);
+  if (languages == 0 || isIn(languages, language)) return {};
+  std::vector<std::string_view> names;
+  for (const auto& [other, name] : kLanguageNames) {
+    if (isIn(languages, other)) names.push_back(name);
+  }
+  return std::string(word) + " is a word of " + listed(names, "and") + ": add -course " +
+         std::string(names[0]);
+}
+
 }  // namespace
 
-FieldReader::FieldReader(const SourceText& text, MistakeLog& log)
-    : text_(text), log_(log), tokenizer_(text.bytes()), lastEnd_(text.bytes().data()) {
+FieldReader::FieldReader(const SourceText& text, MistakeLog& log, Language language)
+    : text_(text),
+      log_(log),
+      language_(language),
+      tokenizer_(text.bytes()),
+      lastEnd_(text.bytes().data()) {
   word_ = tokenizer_.next();
 }
 
 bool FieldReader::isAtBlock() const { return isBlockWord(word_); }
+bool FieldReader::isAtStep() const { return isStepWord(word_); }
 
 void FieldReader::advance() {
   if (word_.empty()) return;
@@ -113,7 +155,10 @@ void FieldReader::skipWordAndBlock() {
 bool FieldReader::skipUnknown(std::string_view owner, WordList allowed) {
   const std::string where = " in " + std::string(owner);
   const std::string_view meant = nearestWord(word_, allowed);
-  if (isNumber(word_)) {
+  const std::string others = otherCourses(word_, language_);
+  if (!others.empty()) {
+    report(at(), "unknown word " + found() + where + "; " + others);
+  } else if (isNumber(word_)) {
     report(at(), "a number too many" + where + ": expected a word or '}', found " + found());
   } else if (!meant.empty()) {
     report(at(), "unknown word " + found() + where + "; did you mean " + quoted(meant) + "?");

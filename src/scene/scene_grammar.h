@@ -5,8 +5,29 @@
 #include <cstddef>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
+#include "scene/scene_rules.h"
 #include "scene/wording.h"
+
+/// Some of the languages, as bits.
+using Languages = unsigned;
+constexpr Languages only(Language language) { return Languages(language); }
+constexpr Languages but(Languages languages) { return ~languages; }
+inline constexpr Languages kEvery = but(0);
+inline constexpr Languages kOf2003 = only(Language::of2003), kOf2012 = only(Language::of2012),
+                           kOf2016 = only(Language::of2016), kOf2020 = only(Language::of2020),
+                           kOfThu = only(Language::ofThu);
+/// Those in which materials say shininess, and cameras and objects what they say in 2003.
+inline constexpr Languages kOfShininess = kOf2012 | kOf2016 | kOfThu;
+/// A course that has the language.
+inline constexpr std::pair<Language, std::string_view> kLanguageNames[] = {
+    {Language::of2003, "2003"}, {Language::of2012, "2012"}, {Language::of2016, "2016"},
+    {Language::of2020, "2020"}, {Language::ofThu, "thu"},
+};
+constexpr bool isIn(Languages languages, Language language) {
+  return (languages & Languages(language)) != 0;
+}
 
 /// What stands behind a field's name.
 enum class ValueKind {
@@ -27,6 +48,7 @@ enum class Range {
   angle,        ///< degrees above 0 and below 180
   direction,    ///< a vector that is not zero; it is brought to a length near 1 then
   color,        ///< any, but a component above 1 is noted for a warning
+  side,         ///< pixels, from 1 to SceneParser::kMostPixels
   reflectance,  ///< a colour with components from 0 to 1
 };
 
@@ -38,13 +60,16 @@ struct Field {
   Range range = Range::any;
   bool isOptional = false;
   std::array<double, 3> defaults{};  // where it is optional
+  Languages languages = kEvery;      // that have it
 };
 inline constexpr bool kOptional = true;
 
 /// The fields of each block stand together, in the order in which messages list them; the blocks
-/// that a scene may have a million times come first.
+/// that a scene may have a million times come first. A name that languages use in different ways
+/// has a row for each.
 inline constexpr Field kFields[] = {
-    {"Sphere", "center", ValueKind::vector},
+    {"Sphere", "center", ValueKind::vector, Range::any, false, {}, but(kOf2020)},
+    {"Sphere", "center", ValueKind::vector, Range::any, kOptional, {}, kOf2020},
     {"Sphere", "radius", ValueKind::number, Range::aboveZero},
     {"Triangle", "vertex0", ValueKind::vector},
     {"Triangle", "vertex1", ValueKind::vector},
@@ -58,15 +83,22 @@ inline constexpr Field kFields[] = {
     {"every camera", "up", ValueKind::vector, Range::direction},
     {"OrthographicCamera", "size", ValueKind::number, Range::aboveZero},
     {"PerspectiveCamera", "angle", ValueKind::number, Range::angle},
+    {"PerspectiveCamera", "width", ValueKind::whole, Range::side, kOptional, {}, kOfThu},
+    {"PerspectiveCamera", "height", ValueKind::whole, Range::side, kOptional, {}, kOfThu},
+    {"Camera", "fov", ValueKind::number, Range::angle, false, {}, kOf2020},
 
     {"DirectionalLight", "direction", ValueKind::vector, Range::direction},
     {"DirectionalLight", "color", ValueKind::color},
     {"PointLight", "position", ValueKind::vector},
     {"PointLight", "color", ValueKind::color},
-    {"PointLight", "attenuation", ValueKind::vector, Range::any, kOptional, {1, 0, 0}},
+    {"PointLight", "attenuation", ValueKind::vector, Range::any, kOptional, {1, 0, 0}, kOf2003},
+    {"PointLight", "falloff", ValueKind::number, Range::any, kOptional, {}, kOf2012},
+    {"PointLight", "falloff", ValueKind::number, Range::any, false, {}, kOf2016},
+    {"point light", "color", ValueKind::color, Range::any, false, {}, kOf2020},
+    {"point light", "attenuation", ValueKind::number, Range::any, kOptional, {20}, kOf2020},
 
     {"Background", "color", ValueKind::color, Range::color, kOptional, {0.5, 0.5, 0.5}},
-    {"Background", "ambientLight", ValueKind::color, Range::color, kOptional},
+    {"Background", "ambientLight", ValueKind::color, Range::color, kOptional, {}, but(kOfThu)},
 
     {"every material", "diffuseColor", ValueKind::color, Range::color, kOptional, {1, 1, 1}},
     {"every material", "transparentColor", ValueKind::color, Range::color, kOptional},
@@ -74,7 +106,24 @@ inline constexpr Field kFields[] = {
     {"every material", "indexOfRefraction", ValueKind::single, Range::aboveZero, kOptional, {1}},
     {"every material", "priority", ValueKind::whole, Range::any, kOptional},
     {"PhongMaterial", "specularColor", ValueKind::color, Range::color, kOptional},
-    {"PhongMaterial", "exponent", ValueKind::single, Range::atLeastZero, kOptional, {1}},
+    {"PhongMaterial", "exponent", ValueKind::single, Range::atLeastZero, kOptional, {1}, kOf2003},
+    {"PhongMaterial",
+     "shininess",
+     ValueKind::single,
+     Range::atLeastZero,
+     kOptional,
+     {},
+     kOfShininess},
+    {"PhongMaterial",
+     "refractionIndex",
+     ValueKind::single,
+     Range::atLeastZero,
+     kOptional,
+     {},
+     kOf2012},
+    {"node material", "diffuse", ValueKind::color, Range::color, kOptional, {1, 1, 1}, kOf2020},
+    {"node material", "specular", ValueKind::color, Range::color, kOptional, {}, kOf2020},
+    {"node material", "shininess", ValueKind::single, Range::atLeastZero, kOptional, {}, kOf2020},
     {"CookTorranceMaterial", "roughness", ValueKind::single, Range::aboveZero, kOptional, {0.2}},
     {"CookTorranceMaterial", "index", ValueKind::single, Range::aboveZero, kOptional, {1.5}},
     {"CookTorranceMaterial", "specularColor", ValueKind::color, Range::reflectance, kOptional},
@@ -99,15 +148,27 @@ inline constexpr std::size_t kMostFields = 10;
 /// A step of a Transform.
 struct Step {
   std::string_view name;
-  std::size_t numbers;  // how many follow the name; angles are in degrees
-  bool canBeSingular;   // no translation by finite numbers is, nor a turn about an axis
+  std::size_t numbers;    // how many follow the name; angles are in degrees
+  bool canBeSingular;     // no translation by finite numbers is, nor a turn about an axis
+  std::string_view kind;  // the name that it has in 2003
+  Languages languages;
 };
 inline constexpr std::size_t kMostStepNumbers = 16;
 inline constexpr Step kSteps[] = {
-    {"Translate", 3, false},   {"Scale", 3, true},
-    {"UniformScale", 1, true}, {"XRotate", 1, false},
-    {"YRotate", 1, false},     {"ZRotate", 1, false},
-    {"Rotate", 4, true},       {"Matrix", kMostStepNumbers, true},
+    {"Translate", 3, false, "Translate", but(kOf2020)},
+    {"Scale", 3, true, "Scale", but(kOf2020)},
+    {"UniformScale", 1, true, "UniformScale", but(kOf2020)},
+    {"XRotate", 1, false, "XRotate", but(kOf2020)},
+    {"YRotate", 1, false, "YRotate", but(kOf2020)},
+    {"ZRotate", 1, false, "ZRotate", but(kOf2020)},
+    {"Rotate", 4, true, "Rotate", but(kOf2020)},
+    {"Matrix", kMostStepNumbers, true, "Matrix", but(kOf2020)},
+    {"Matrix4f", kMostStepNumbers, true, "Matrix", kOf2012 | kOf2016},
+    {"translate", 3, false, "Translate", kOf2020},
+    {"scale", 3, true, "Scale", kOf2020},
+    {"x_rotate", 1, false, "XRotate", kOf2020},
+    {"y_rotate", 1, false, "YRotate", kOf2020},
+    {"z_rotate", 1, false, "ZRotate", kOf2020},
 };
 
 // The words, by where they may stand, in the order in which messages list them.
@@ -138,11 +199,25 @@ inline constexpr auto kGroupWords =
     joined(kObjectWords, joined(WordArray<1>{"MaterialIndex"}, kMaterialWords));
 /// All that may stand in the Transform of a texture, and what may in that of an object.
 inline constexpr auto kStepWords = [] {
-  WordArray<std::size(kSteps)> words{};
+  WordArray<8> words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = kSteps[i].name;
   return words;
 }();
 inline constexpr auto kTransformWords = joined(kStepWords, kObjectWords);
+/// In 2020: the sections, the steps of a Transform, and what may stand in a Node.
+inline constexpr WordArray<4> kNodeSectionWords = {"Background", "Camera", "Materials", "Scene"};
+inline constexpr WordArray<5> kNodeStepWords = {"translate", "scale", "x_rotate", "y_rotate",
+                                                "z_rotate"};
+inline constexpr WordArray<5> kNodeWords = {"Transform", "Component<Material>", "Component<Object>",
+                                            "Component<Light>", "Node"};
+/// What places on the way to an object are called.
+inline constexpr auto kPlaceWords = joined(kObjectWords, WordArray<2>{"Scene", "Node"});
+inline constexpr WordArray<1> kNodeMaterialWords = {"Material"};
+/// The types of objects and lights there; and the blocks that have the fields of each.
+inline constexpr WordArray<4> kShapeTypes = {"sphere", "plane", "triangle", "mesh"};
+inline constexpr WordArray<4> kShapeBlocks = {"Sphere", "Plane", "Triangle", "TriangleMesh"};
+inline constexpr WordArray<2> kLightTypes = {"point", "directional"};
+inline constexpr WordArray<2> kLightBlocks = {"point light", "DirectionalLight"};
 /// With these names the blocks begin that hold others.
 inline constexpr WordArray<3> kCountWords = {"numLights", "numMaterials", "numObjects"};
 /// What a CookTorranceMaterial's distribution may be, the default first.

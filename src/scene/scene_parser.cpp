@@ -5,6 +5,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "scene/input_error.h"
+#include "scene/number_reader.h"
 #include "scene/scene_reader.h"
 #include "scene/source_text.h"
 
@@ -19,13 +20,13 @@ SceneParser::SceneParser(const SourceText& text, ObjectPlaces* places, const Sce
 
 SceneParser::~SceneParser() = default;
 
-std::vector<InputError> SceneParser::check(const char* filename,
-                                           std::vector<std::string>* warnings) {
+std::vector<InputError> SceneParser::check(const char* filename, std::vector<std::string>* warnings,
+                                           const SceneRules& rules) {
   MistakeLog log(MistakeLog::Mode::collect);
   try {
     const SourceText text = SourceText::read(filename);
     SceneParser scene;
-    SceneReader(text, log, scene, nullptr, {}).read();
+    SceneReader(text, log, scene, nullptr, rules).read();
     if (warnings && log.count() == 0) *warnings = scene.getWarnings();
   } catch (const InputError& unreadable) {
     return {unreadable};
@@ -39,6 +40,15 @@ std::size_t SceneParser::getPictureBytes() const {
   std::size_t bytes = 0;
   for (const auto& picture : pictures_) bytes += picture->byteCount();
   return bytes;
+}
+
+bool SceneParser::hasGlass(const SourceText& text) {
+  Tokenizer words(text.bytes());
+  double index = 0;
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (word == "refractionIndex" && readDouble(words.next(), index) && index != 0) return true;
+  }
+  return false;
 }
 
 double SceneParser::getSpan() const {

@@ -23,7 +23,8 @@ bool areParallel(const Vec3d& a, const Vec3d& b) {
 
 SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& scene,
                          ObjectPlaces* places, const SceneRules& rules)
-    : in_(text, log),
+    : in_(text, log, rules.language),
+      rules_(rules),
       notes_(text),
       scene_(scene),
       meshes_(text, log, scene.meshes_, rules),
@@ -41,6 +42,7 @@ void SceneReader::read() {
 }
 
 void SceneReader::readSection() {
+  if (in_.language() == Language::of2020) return readNodeSection();
   const std::string_view word = in_.word();
   if (!isOneOf(word, kSectionWords)) return readMisplaced();
   in_.setQuiet(false);
@@ -63,17 +65,38 @@ void SceneReader::readSection() {
   }
 }
 
+void SceneReader::readNodeSection() {
+  const std::string_view word = in_.word();
+  if (!isOneOf(word, kNodeSectionWords)) return readMisplaced();
+  in_.setQuiet(false);
+  if (word == "Camera") return readCamera();
+  if (word == "Background") return readBackground();
+  reportSecond(word);
+  if (word == "Materials") {
+    if (hasGroup_) in_.report(in_.at(), "Materials must come before Scene");
+    in_.advance();
+    return materials_.readNodeMaterials();
+  }
+  hasGroup_ = true;
+  lightsAt_ = in_.at();
+  NodeReader nodes(
+      in_, materials_, objects_, rules_.nearFalloff,
+      [this](const char* at, std::unique_ptr<Light> light) { addLight(at, std::move(light)); });
+  if (const Object3D* scene = nodes.read()) scene_.group_.addObject(scene);
+}
+
 /// Something that is no section. What follows it up to the next section is its consequence.
 void SceneReader::readMisplaced() {
   const std::string_view word = in_.word();
   if (in_.isAt('}')) {
     in_.report(in_.at(), "expected a section, found '}' without a block to end");
     in_.advance();
-  } else if (isOneOf(word, kGroupWords)) {
+  } else if (isOneOf(word, kGroupWords) && in_.language() != Language::of2020) {
     in_.report(in_.at(), "expected " + quoted(word) + " inside a Group, found it outside");
     in_.skipWordAndBlock();
   } else {
-    in_.skipUnknown("the scene", kSectionWords);
+    const bool hasNodes = in_.language() == Language::of2020;
+    in_.skipUnknown("the scene", hasNodes ? WordList(kNodeSectionWords) : kSectionWords);
   }
   in_.setQuiet(true);
   hasMisplaced_ = true;
@@ -90,9 +113,10 @@ void SceneReader::readCamera() {
   reportSecond("camera");
   const std::string_view owner = in_.word();
   in_.advance();
-  Fields fields = {"every camera", owner};
+  Fields fields(in_.language(), {"every camera", owner});
   const bool areFieldsGood = in_.readFields(owner, fields);
   const Value &direction = fields["direction"], &up = fields["up"];
+  const Vec3d writtenUp = up.vector();  // whose length may count
   const bool areBothGiven = in_.checkRanges("every camera", fields) && direction.at && up.at;
   const bool isParallel = areBothGiven && areParallel(direction.vector(), up.vector());
   if (isParallel) {
@@ -100,13 +124,27 @@ void SceneReader::readCamera() {
   }
   if (!in_.checkRanges(owner, fields) || !areFieldsGood || !areBothGiven || isParallel) return;
   const Vec3d center = fields["center"].vector();
-  if (owner == "PerspectiveCamera") {
-    scene_.camera_ = std::make_unique<PerspectiveCamera>(center, direction.vector(), up.vector(),
-                                                         math::radians(fields["angle"].number()));
-  } else {
-    scene_.camera_ = std::make_unique<OrthographicCamera>(center, direction.vector(), up.vector(),
-                                                          fields["size"].number());
+  CameraFrame frame = CameraFrame::turned(direction.vector(), up.vector());
+  setUp(frame, writtenUp);
+  if (owner == "OrthographicCamera") {
+    scene_.camera_ = std::make_unique<OrthographicCamera>(center, frame, fields["size"].number());
+    return;
   }
+  const double angle = fields[owner == "Camera" ? "fov" : "angle"].number();
+  scene_.camera_ = std::make_unique<PerspectiveCamera>(center, frame, math::radians(angle));
+  if (fields.has("width")) {
+    scene_.pictureSize_ = {fields["width"].whole(), fields["height"].whole()};
+  }
+}
+
+/// Right and up as the rules make them of `up`; `frame` has them turned.
+void SceneReader::setUp(CameraFrame& frame, const Vec3d& up) const {
+  using Up = SceneRules::CameraUp;
+  if (rules_.cameraUp == Up::turned) return;
+  frame.up = rules_.cameraUp == Up::unit ? normalize(up) : up;
+  if (rules_.cameraUp != Up::unscaled) return;
+  frame.right = cross(frame.direction, up);
+  frame.up = cross(frame.right, frame.direction);
 }
 
 void SceneReader::readLights() {
@@ -120,17 +158,24 @@ void SceneReader::readLight() {
   const std::string_view owner = in_.word();
   const char* const at = in_.at();
   in_.advance();
-  Fields fields = {owner};
+  Fields fields(in_.language(), {owner});
   const bool isRead = in_.readFields(owner, fields);
   if (!in_.checkRanges(owner, fields) || !isRead) return;
   const Vec3f color = fields["color"].color();
-  std::unique_ptr<Light> light;
   if (owner == "DirectionalLight") {
-    light = std::make_unique<DirectionalLight>(fields["direction"].vector(), color);
-  } else {
-    light = std::make_unique<PointLight>(fields["position"].vector(), color,
-                                         fields["attenuation"].vector());
+    addLight(at, std::make_unique<DirectionalLight>(fields["direction"].vector(), color));
+    return;
   }
+  Vec3d attenuation(1, 0, 0);
+  if (fields.has("attenuation")) {
+    attenuation = fields["attenuation"].vector();
+  } else if (fields.has("falloff")) {
+    attenuation = {rules_.nearFalloff, 0, fields["falloff"].number()};
+  }
+  addLight(at, std::make_unique<PointLight>(fields["position"].vector(), color, attenuation));
+}
+
+void SceneReader::addLight(const char* at, std::unique_ptr<Light> light) {
   notes_.lightStarts.push_back(at);
   scene_.lights_.push_back(std::move(light));
 }
@@ -138,28 +183,35 @@ void SceneReader::readLight() {
 void SceneReader::readBackground() {
   reportSecond("Background");
   in_.advance();
-  Fields fields = {"Background"};
+  Fields fields(in_.language(), {"Background"});
   in_.readFields("Background", fields);
   in_.checkRanges("Background", fields);
   scene_.background_ = Background(fields["color"].color());
-  scene_.ambientLight_ = fields["ambientLight"].color();
+  if (fields.has("ambientLight")) scene_.ambientLight_ = fields["ambientLight"].color();
 }
 
 /// What can only be said once everything is read.
 void SceneReader::finish() {
   if (seen_.count("camera") == 0 && !hasMisplaced_) {
-    in_.reportExpected("an OrthographicCamera or a PerspectiveCamera in the scene");
+    in_.reportExpected(in_.language() == Language::of2020
+                           ? "a Camera in the scene"
+                           : "an OrthographicCamera or a PerspectiveCamera in the scene");
   }
   if (scene_.lights_.empty()) {
     scene_.ambientLight_ = Vec3f(1, 1, 1);
     notes_.warn(lightsAt_ ? lightsAt_ : in_.text().bytes().data(),
                 "the scene has no lights: it is shown in white ambient light");
   }
-  if (!hasGroup_) notes_.warn(in_.at(), "the scene has no Group: nothing will be seen");
+  if (!hasGroup_) {
+    notes_.warn(in_.at(), in_.language() == Language::of2020
+                              ? "the scene has no Scene: nothing will be seen"
+                              : "the scene has no Group: nothing will be seen");
+  }
   scene_.inputFiles_ = meshes_.files().paths();
   for (std::string& path : pictures_.files().paths()) {
     scene_.inputFiles_.push_back(std::move(path));
   }
+  scene_.hasHighlightsBehind_ = materials_.haveHighlightsBehind();
   if (notes_.flatTriangles > ObjectReader::kFlatTrianglesNamed) {
     notes_.warn(in_.at(), std::to_string(notes_.flatTriangles - ObjectReader::kFlatTrianglesNamed) +
                               " more triangles have no area: they will not be seen");

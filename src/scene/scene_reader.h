@@ -6,8 +6,10 @@
 // things stand and which materials are used (SceneNotes; see scene_review.cpp).
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -83,11 +85,23 @@ class MaterialReader {
                  std::vector<std::unique_ptr<Material>>& materials, const SceneRules& rules)
       : in_(in), notes_(notes), materials_(materials), rules_(rules) {}
 
+  /// Whether any material's highlight is seen of lights behind the surface.
+  bool haveHighlightsBehind() const { return haveHighlightsBehind_; }
+
   /// The section Materials, from behind its name.
   void readSection();
   /// A material written inside a Group, as in the course's older scenes.
   void readInline();
-  void readIndex();
+  void readIndex(std::string_view name = "MaterialIndex");
+  /// The section Materials of 2020, from behind its name.
+  void readNodeMaterials();
+  /// The material that holds now, not owned, and its place in the list.
+  struct Selection {
+    const Material* material = nullptr;
+    std::size_t place = 0;
+  };
+  const Selection& selection() const { return current_; }
+  void select(const Selection& selection) { current_ = selection; }
   /// The material that holds for the object at `at`, not owned; null where there is none, which is
   /// said once.
   const Material* materialFor(std::string_view owner, const char* at);
@@ -101,10 +115,19 @@ class MaterialReader {
     bool hasTransform = false, areIndicesGood = true;
   };
 
+  /// What the block of a material with a highlight says.
+  struct PhongWords {
+    Vec3f diffuse, specular, transparent, reflective;
+    float index = 1;
+    const Value* exponent = nullptr;
+  };
+
   void add();
   std::unique_ptr<Material> read();
   std::unique_ptr<Material> make(std::string_view owner, const Fields& fields,
                                  std::size_t distribution);
+  std::unique_ptr<Material> readNodeMaterial(std::string_view owner);
+  std::unique_ptr<Material> makePhong(std::string_view owner, PhongWords& words);
   Fresnel fresnelOf(const Fields& fields);
   std::unique_ptr<Material> readTexture(std::string_view owner);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
@@ -115,9 +138,9 @@ class MaterialReader {
   SceneNotes& notes_;
   std::vector<std::unique_ptr<Material>>& materials_;
   const SceneRules rules_;
-  const Material* current_ = nullptr;  // not owned
-  std::size_t currentPlace_ = 0;       // its place in the list
+  Selection current_;
   bool isMissed_ = false;
+  bool haveHighlightsBehind_ = false;
   bool areIndicesSure_ = true;  // false after a mistake among materials: an index may be right
 };
 
@@ -142,6 +165,12 @@ class ObjectReader {
 
   /// The object whose name is the current word, one of kObjectWords.
   const Object3D* read();
+  /// A shape of that kind with the fields and material that were read; null where they are wrong.
+  const Object3D* addShape(std::string_view owner, const char* at, Fields& fields,
+                           const Material* material);
+  const Object3D* keep(std::unique_ptr<Object3D> object);
+  /// What is told where objects stand; may be null.
+  ObjectPlaces* places() const { return places_; }
 
  private:
   const Object3D* readShape();
@@ -151,7 +180,6 @@ class ObjectReader {
   const Object3D* readTransform();
   const Object3D* readMovedObject(bool areStepsGood);
   void warnOfMesh(const MeshGeometry& mesh, const char* at);
-  const Object3D* keep(std::unique_ptr<Object3D> object);
   bool isTooDeep();
 
   FieldReader& in_;
@@ -168,6 +196,53 @@ class ObjectReader {
 /// inverse is a mistake. False after a mistake.
 bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& product);
 
+/// Whether the product of a Transform's steps has an inverse; else reports at `at` that it has
+/// none.
+bool checkInverse(FieldReader& in, const char* at, const Matrix& product);
+
+/// Reads the Scene of 2020: nodes that hold components and other nodes. A Node's Transform and
+/// material hold for all in it; the objects of a Node are a Group.
+class NodeReader {
+ public:
+  using AddLight = std::function<void(const char* at, std::unique_ptr<Light> light)>;
+
+  /// All must outlive the reader. `nearFalloff` as in SceneRules.
+  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, double nearFalloff,
+             AddLight addLight)
+      : in_(in),
+        materials_(materials),
+        objects_(objects),
+        nearFalloff_(nearFalloff),
+        addLight_(std::move(addLight)) {}
+
+  /// The Scene or Node whose name is the current word; null where it is nested too deep. The scene
+  /// owns the result.
+  const Object3D* read();
+
+ private:
+  /// What has been read of one node.
+  struct Contents {
+    Group& group;
+    std::optional<Matrix> steps;
+    bool isEmpty = true;
+  };
+
+  void readItem(Contents& contents);
+  void readTransform(Contents& contents);
+  void readMaterial();
+  const Object3D* readObject();
+  void readLight();
+  bool openComponent(WordList types, std::size_t& type);
+
+  FieldReader& in_;
+  MaterialReader& materials_;
+  ObjectReader& objects_;
+  const double nearFalloff_;
+  const AddLight addLight_;
+  Matrix toWorld_;  // of the node that is being read
+  int depth_ = 0;
+};
+
 /// Reads a whole scene file.
 class SceneReader {
  public:
@@ -180,17 +255,21 @@ class SceneReader {
 
  private:
   void readSection();
+  void readNodeSection();
   void readMisplaced();
   void reportSecond(std::string_view what);
   void readCamera();
   void readLights();
   void readLight();
+  void addLight(const char* at, std::unique_ptr<Light> light);
+  void setUp(CameraFrame& frame, const Vec3d& up) const;
   void readBackground();
   void finish();
   void findThinnestSolid(const Object3D& object, const Matrix& toWorld);
   bool isClosed(const MeshGeometry& geometry);
 
   FieldReader in_;
+  const SceneRules rules_;
   SceneNotes notes_;
   SceneParser& scene_;
   MeshLibrary meshes_;

@@ -65,10 +65,11 @@ std::string_view nearestWord(std::string_view word, WordList allowed) {
   return nearest;
 }
 
-std::string listed(WordList words) {
+std::string listed(WordList words, const char* conjunction) {
   std::string text;
   for (const std::string_view* word = words.begin(); word != words.end(); ++word) {
-    if (word != words.begin()) text += word + 1 == words.end() ? " or " : ", ";
+    const bool isLast = word + 1 == words.end();
+    if (word != words.begin()) text += isLast ? " " + std::string(conjunction) + " " : ", ";
     text += *word;
   }
   return text;

@@ -60,10 +60,10 @@ TEST("an explicit argument wins over the course's default, before it and behind 
 }
 
 TEST("a wrong or missing name of a course lists the courses") {
-  CHECK_EQUAL(mistake({"-course", "1999"}), "-course: expected 2003 or 2004, found '1999'");
-  CHECK_EQUAL(mistake({"-course"}), "-course: expected 2003|2004, found the end of the command");
-  CHECK_EQUAL(mistake({"-course", "-size", "3", "4"}),
-              "-course: expected 2003|2004, found '-size'");
+  CHECK_EQUAL(mistake({"-course", "1999"}),
+              "-course: expected 2003, 2004, 2012, 2016, 2020, thu or aalto, found '1999'");
+  CHECK_EQUAL(mistake({"-course"}), "-course: expected COURSE, found the end of the command");
+  CHECK_EQUAL(mistake({"-course", "-size", "3", "4"}), "-course: expected COURSE, found '-size'");
 }
 
 TEST("the window arguments of the pages are taken where the course has them, and said to be idle") {
@@ -118,4 +118,67 @@ TEST("parts of different courses are not put together") {
   CHECK_EQUAL(desk.run("-input scene.txt -size 9 8 -output b.tga -tile 2 2 -course 2004").status,
               0);
   CHECK_EQUAL(desk.run("-merge out.tga a.tga b.tga").status, 3);
+}
+
+TEST("the later courses bring their defaults") {
+  for (const std::string name : {"2012", "2016", "2020", "thu", "aalto"}) {
+    const RenderOptions options = optionsOf("-course " + name);
+    CHECK(!options.shadows && !options.blendsGlass);
+    CHECK_EQUAL(options.maxBounces, 0);
+    CHECK_EQUAL(options.minWeight, name == "aalto" ? 0.1f : 0.0f);
+    CHECK(options.epsilon.kind == Epsilon::Kind::fixed);
+    CHECK_EQUAL(options.epsilon.value, name == "2016" || name == "2020" ? 0.01 : 0.001);
+    CHECK_EQUAL(options.darkBacks, name == "aalto");
+  }
+}
+
+TEST("2012 is ray tracing where -bounces says more than 0, or the scene has glass") {
+  const auto isTracing = [](const std::string& words) { return optionsOf(words).blendsGlass; };
+  CHECK(!isTracing("-course 2012") && !isTracing("-course 2012 -bounces 0"));
+  CHECK(isTracing("-course 2012 -bounces 1") && isTracing("-bounces 1 -course 2012 -shadows"));
+  CHECK(!isTracing("-course 2016 -bounces 1") && !isTracing("-course 2012 -course 2003"));
+  const Request request = parse(split("-course 2012 -bounces 2 -size 8 9 -region 1 2 3 4"));
+  CHECK(!request.render.picture.rules.haveHighlights);
+  CHECK_EQUAL(optionsOf(request).maxBounces, 2);
+  CHECK_EQUAL(request.render.picture.area.width(), 3);
+
+  const Desk desk;
+  const std::string start =
+      "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 }\n"
+      "Lights { numLights 1 DirectionalLight { direction 0 0 -1 color 1 1 1 } }\n"
+      "Materials { numMaterials 1 PhongMaterial { diffuseColor .5 .5 .5 specularColor .2 .2 .2 ";
+  const std::string end =
+      "} }\nGroup { numObjects 1 MaterialIndex 0 Sphere { center 0 0 0 radius 1 } }";
+  desk.write("casting.txt", start + end);
+  desk.write("glass.txt", start + "refractionIndex 2 " + end);
+  desk.run("-course 2012 -input casting.txt -size 1 1 -output casting.ppm");
+  desk.run("-course 2012 -input glass.txt -size 1 1 -bounces 0 -output glass.ppm");
+  const auto lastByte = [&](const char* file) {
+    return int(static_cast<unsigned char>(check::contentOf(desk.file(file)).back()));
+  };
+  // Diffuse .5 and, exponent 0, a highlight of .2 all over; as ray tracing the first alone.
+  CHECK_EQUAL(lastByte("casting.ppm"), int(0.7 * 255));
+  CHECK_EQUAL(lastByte("glass.ppm"), int(0.5 * 255));
+}
+
+TEST("thu takes two bare words, and the picture's size from the scene") {
+  const Request bare = parseRequest({"-course", "thu", "a.txt", "b.bmp"});
+  CHECK_EQUAL(bare.render.picture.scene, "a.txt");
+  CHECK_EQUAL(bare.render.results.outputs[0].file, "b.bmp");
+  CHECK(
+      contains(mistake({"-course", "thu", "a.txt", "b.bmp", "c"}), "expected an argument such as"));
+  CHECK(contains(mistake({"-course", "2012", "a.txt", "b.bmp"}), "expected an argument such as"));
+  const Desk desk;
+  desk.write(
+      "size.txt",
+      "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 width 7 height 4 }"
+      "Group { numObjects 0 }");
+  const auto sizeOf = [&](const std::string& words) {
+    desk.run("-course thu -input size.txt -output out.ppm " + words);
+    const std::string picture = check::contentOf(desk.file("out.ppm"));
+    return picture.substr(3, picture.find('\n', 3) - 3);
+  };
+  CHECK_EQUAL(sizeOf(""), "7 4");
+  CHECK_EQUAL(sizeOf("-size 3 2"), "3 2");
+  CHECK_EQUAL(sizeOf("-region 5 1 2 3"), "2 3");
 }

@@ -25,7 +25,7 @@ Words sampleWords(const ArgumentRow& row) {
     if (word == "[TOPIC]") word = "scene";
     if (word == "NAME") word = "tree";
     if (word == "LEVEL") word = "avx2";
-    if (word == "2003|2004") word = "2004";
+    if (word == "COURSE") word = "2004";
     const std::string numbers = " MB MIN N I W H E NX NY NZ P R SIGMA TOLERANCE ZOOM A B ";
     if (numbers.find(" " + word + " ") != std::string::npos) word = "1";
     if (word == "X" || word == "Y") word = "0";

@@ -128,13 +128,33 @@ TEST("a dimmed highlight is multiplied by the cosine of the light as diffuse lig
   // Light at 53.13 degrees: n.l = 0.6. Seen straight from above r.l = 0.6 too, and h lies halfway:
   // (n.h)^2 = (1 + 0.6) / 2 = 0.8.
   PhongMaterial mirrored = phong(kDiffuse, kSpecular, 2);
-  mirrored.dimHighlight();
+  mirrored.setHighlight(PhongMaterial::Highlight::dimmed);
   CHECK_NEAR_VECTOR(shadeFromAbove(mirrored, {0.8f, 0.6f, 0}),
                     kDiffuse * 0.6f + kSpecular * (0.36f * 0.6f), 1e-6);
   BlinnPhongMaterial halfway(kDiffuse, kSpecular, 2, Vec3f(), Vec3f(), 1);
   CHECK_NEAR_VECTOR(shadeFromAbove(halfway, {0.8f, 0.6f, 0}), kDiffuse * 0.6f + kSpecular * 0.8f,
                     1e-6);
-  halfway.dimHighlight();
+  halfway.setHighlight(PhongMaterial::Highlight::dimmed);
   CHECK_NEAR_VECTOR(shadeFromAbove(halfway, {0.8f, 0.6f, 0}),
                     kDiffuse * 0.6f + kSpecular * (0.8f * 0.6f), 1e-6);
+}
+
+TEST("a highlight that is seen everywhere is seen of a light behind, and for exponent 0 it is 1") {
+  using Highlight = PhongMaterial::Highlight;
+  const Vec3f half(0.5f, 0.5f, 0.5f), specular(0.25f, 0.25f, 0.25f), white(1, 1, 1);
+  // The ray comes along -z at 45 degrees to the surface, whose normal is n: it is mirrored to +x.
+  const Vec3d n(std::sqrt(0.5), 0, std::sqrt(0.5));
+  const Ray ray({0, 0, 0}, {0, 0, -1});
+  const auto shaded = [&](float exponent, const Vec3f& l) {
+    PhongMaterial material(half, specular, exponent, Vec3f(), Vec3f(), 1);
+    material.setHighlight(Highlight::everywhere);
+    return double(material.Shade(ray, Hit(1, &material, n), l, white).x());
+  };
+  // n.l = -0.2 / sqrt 2 and r.l = 0.6: no diffuse light, .25 times .6^2.
+  CHECK_NEAR(shaded(2, {0.6f, 0, -0.8f}), 0.25 * 0.36, 1e-7);
+  // n.l = 1.4 / sqrt 2, in front: both terms.
+  CHECK_NEAR(shaded(2, {0.6f, 0, 0.8f}), 0.5 * 1.4 * std::sqrt(0.5) + 0.25 * 0.36, 1e-7);
+  // r.l = -1: c is 0 there, and 0^0 is 1.
+  CHECK_NEAR(shaded(0, {-1, 0, 0}), 0.25, 1e-7);
+  CHECK_NEAR(shaded(1, {-1, 0, 0}), 0, 0);
 }

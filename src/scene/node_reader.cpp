@@ -1,0 +1,124 @@
+// The scene language of 2020: nodes in place of Groups and Transforms.
+//
+// A Node holds, in any order but for its Transform, which comes first: a material for all objects
+// that follow in it, objects, lights, and other nodes. It becomes a Group, within a Transform where
+// it has one. A point light stands at the origin of its node; directions of lights are turned as
+// the node is.
+#include "geometry/transform.h"
+#include "scene/scene_reader.h"
+
+const Object3D* NodeReader::read() {
+  const std::string_view owner = in_.word();
+  if (depth_ == ObjectReader::kMaxNesting) {
+    in_.report(in_.at(), "expected Nodes at most " + std::to_string(ObjectReader::kMaxNesting) +
+                             " deep inside each other, found another");
+    in_.skipWordAndBlock();
+    return nullptr;
+  }
+  ++depth_;
+  if (objects_.places()) objects_.places()->begin(owner, in_.at());
+  const MaterialReader::Selection outerMaterial = materials_.selection();
+  const Matrix outer = toWorld_;
+  auto group = std::make_unique<Group>();
+  Contents contents{*group, std::nullopt};
+  in_.advance();
+  if (in_.openBlock(owner)) {
+    while (!in_.atEnd() && !in_.isAt('}') && !isOneOf(in_.word(), kNodeSectionWords)) {
+      readItem(contents);
+    }
+    in_.closeBlock(owner);
+  }
+  toWorld_ = outer;
+  materials_.select(outerMaterial);
+  const Object3D* object = objects_.keep(std::move(group));
+  if (contents.steps) {
+    object = objects_.keep(std::make_unique<Transform>(*contents.steps, object));
+  }
+  if (objects_.places()) objects_.places()->end(object);
+  --depth_;
+  return object;
+}
+
+void NodeReader::readItem(Contents& contents) {
+  const std::string_view word = in_.word();
+  const Object3D* object = nullptr;
+  if (word == "Node") {
+    object = read();
+  } else if (word == "Transform") {
+    readTransform(contents);
+  } else if (word == "Component<Material>") {
+    readMaterial();
+  } else if (word == "Component<Object>") {
+    object = readObject();
+  } else if (word == "Component<Light>") {
+    readLight();
+  } else {
+    in_.skipUnknown("Node", kNodeWords);
+  }
+  if (object) contents.group.addObject(object);
+  contents.isEmpty = false;
+}
+
+void NodeReader::readTransform(Contents& contents) {
+  const char* const at = in_.at();
+  if (!contents.isEmpty) in_.report(at, "Transform must come first in its Node");
+  in_.advance();
+  if (!in_.openBlock("Transform")) return;
+  Matrix product;
+  const bool isGood = readSteps(in_, kNodeStepWords, true, product);
+  in_.closeBlock("Transform");
+  if (!isGood || !checkInverse(in_, at, product)) return;
+  contents.steps = product;
+  toWorld_ = toWorld_ * product;
+}
+
+void NodeReader::readMaterial() {
+  in_.advance();
+  if (!in_.openBlock("Component<Material>")) return;
+  in_.word() == "index" ? materials_.readIndex("index") : in_.reportExpected("index");
+  in_.closeBlock("Component<Material>");
+}
+
+/// Takes `{ type T`, from the component's name on; false after a mistake, which is passed over.
+bool NodeReader::openComponent(WordList types, std::size_t& type) {
+  const std::string_view owner = in_.word();
+  in_.advance();
+  if (!in_.openBlock(owner)) return false;
+  const bool isTyped = in_.word() == "type";
+  isTyped ? in_.advance() : in_.reportExpected("type");
+  if (isTyped && in_.readChoice("type", types, type)) return true;
+  in_.closeBlock(owner);
+  return false;
+}
+
+const Object3D* NodeReader::readObject() {
+  const char* const at = in_.at();
+  const Material* const material = materials_.materialFor("Component<Object>", at);
+  std::size_t type = 0;
+  if (!openComponent(kShapeTypes, type)) return nullptr;
+  const std::string_view block = kShapeBlocks[type];
+  if (objects_.places()) objects_.places()->begin(block, at);
+  Fields fields(in_.language(), {block});
+  const bool isRead = in_.readOpenFields(kShapeTypes[type], at, fields);
+  const bool isGood = in_.checkRanges(block, fields) && isRead;
+  const Object3D* const object = isGood ? objects_.addShape(block, at, fields, material) : nullptr;
+  if (objects_.places()) objects_.places()->end(object);
+  return object;
+}
+
+void NodeReader::readLight() {
+  const char* const at = in_.at();
+  std::size_t type = 0;
+  if (!openComponent(kLightTypes, type)) return;
+  const std::string_view block = kLightBlocks[type];
+  Fields fields(in_.language(), {block});
+  const bool isRead = in_.readOpenFields("Component<Light>", at, fields);
+  if (!in_.checkRanges(block, fields) || !isRead) return;
+  const Vec3f color = fields["color"].color();
+  if (fields.has("direction")) {
+    const Vec3d direction = toWorld_.transformDirection(fields["direction"].vector());
+    return addLight_(at, std::make_unique<DirectionalLight>(direction, color));
+  }
+  const Vec3d attenuation(nearFalloff_, 0, fields["attenuation"].number());
+  addLight_(at, std::make_unique<PointLight>(toWorld_.transformPoint(Vec3d()), color, attenuation));
+}
