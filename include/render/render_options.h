@@ -95,7 +95,8 @@ struct RenderOptions {
   bool shadows = true;              ///< cast shadow rays
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
-  bool darkBacks = false;  ///< else a side seen from behind sends back no light, ambient or other
+  bool darkBacks = false;           ///< else a side seen from behind sends back no light of lamps
+  bool ambientBacks = true;         ///< and where that holds, ambient light all the same
   bool isAmbientPlain = false;     ///< ambient light meets the diffuse colour, not what replaces it
   bool nestedDielectrics = false;  ///< indices follow from what a ray is inside of, by priority
   bool fresnel = false;            ///< reflection follows from index and angle

@@ -16,7 +16,7 @@ class Shader {
   /// here, once.
   Shader(const SceneParser& scene, const RenderOptions& options);
 
-  /// The ambient term: ambient light times diffuse colour. Of a dark side (isDark) there is none.
+  /// The ambient term: ambient light times diffuse colour. There may be none (hasAmbient).
   Vec3d ambient(const Surface& s) const;
   /// The same of any side. `hit` counts where ambientMap() is not null.
   Vec3d ambient(const Material& material, const Hit& hit) const;
@@ -43,10 +43,11 @@ class Shader {
   /// Whether lights see the surface's other side: with `shadeBack` the one that the ray sees.
   /// `approach` is n.v, below 0 where the ray comes from outside.
   bool isTurned(double approach) const { return options_.shadeBack && approach > 0; }
-  /// Whether the side that the ray sees sends back neither ambient light nor that of lamps.
+  /// Whether the side that the ray sees sends back no light of lamps; and whether ambient light.
   bool isDark(double approach) const {
     return options_.darkBacks && !options_.shadeBack && approach > 0;
   }
+  bool hasAmbient(double approach) const { return options_.ambientBacks || !isDark(approach); }
   /// False where no surface of the material sends a ray of that kind on.
   bool sends(RayKind kind, const Material& material) const;
   /// What of a mirrored, or of a refracted, ray's colour goes back along the ray that met the

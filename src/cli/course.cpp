@@ -27,6 +27,7 @@ Course course2004() {
   render.minWeight = 0;
   render.shadows = false;
   render.darkBacks = true;
+  render.ambientBacks = false;
   render.epsilon = {Epsilon::Kind::fixed, Epsilon::kCourse};
   SamplingOptions& sampling = render.sampling;
   sampling.numbers = SamplingOptions::Numbers::sequence;

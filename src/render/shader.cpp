@@ -52,7 +52,7 @@ Shader::Shader(const SceneParser& scene, const RenderOptions& options)
 }
 
 Vec3d Shader::ambient(const Surface& s) const {
-  return isDark(approachOf(s)) ? Vec3d() : ambient(*s.hit.getMaterial(), s.hit);
+  return !hasAmbient(approachOf(s)) ? Vec3d() : ambient(*s.hit.getMaterial(), s.hit);
 }
 
 Vec3d Shader::ambient(const Material& material, const Hit& hit) const {

@@ -291,7 +291,7 @@ void WaveTracer::addAmbient(const MaterialGroup& group, const WaveGeneration& ge
   const bool isMapped = shader.ambientMap(*group.material) != nullptr;
   Vec3d ambient = isMapped ? Vec3d() : shader.ambient(*group.material, Hit());
   for (int k = group.first; k < group.last; ++k) {
-    if (shader.options().darkBacks && rowOf(surfaces.lit, k) == Vec3d()) continue;
+    if (!shader.options().ambientBacks && rowOf(surfaces.lit, k) == Vec3d()) continue;
     if (isMapped) ambient = shader.ambient(*group.material, generation.hitOf(surfaces.ray[k]));
     surfaces.add(k, ambient);
   }

@@ -138,6 +138,7 @@ TEST("a batch obeys the rules of courses that leave backs dark and dim highlight
     for (const bool shadeBack : {false, true}) {
       RenderOptions options = scene_text::bouncing(5);
       options.darkBacks = true;
+      options.ambientBacks = false;
       options.shadeBack = shadeBack;
       compare(scene, compiled, options, 256, 0);
     }
