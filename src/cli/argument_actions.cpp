@@ -326,6 +326,9 @@ constexpr ArgumentAction kActions[] = {
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
 
+    {"jitter", note<&Draft::isJittered>},
+    {"filter", note<&Draft::isFiltered>},
+
     {"gui", addIdle},
     {"gouraud", addIdle},
     {"tessellation", addTessellation},

@@ -145,6 +145,12 @@ Looking inside:
   -visualize_grid_count  the same in colours, from white for one object in a
                          cell to red for more than 32
 
+Of the pages of 2012, 2016 and 2020 alone:
+  -jitter                nine rays in each pixel, one at random in each cell of
+                         a picture three times as wide and high
+  -filter                with -jitter: blur that picture before the nine are
+                         averaged
+
 Of the pages of 2004 alone:
   -gui                   accepted without effect: no window is opened
   -gouraud               the same

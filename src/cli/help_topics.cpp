@@ -433,6 +433,13 @@ tens of MB for each thread): a tile is traced with the pixels around it that the
 filter reaches, which costs about 13 % more rays up to a reach of 4 pixels, and
 2.25 times as many at 32.
 
+-jitter and -filter of 2012 and 2016 trace a picture of three times the width
+and height, one ray at random around the middle of each of its pixels, within
+half a pixel. -filter convolves its rows, then its columns, with .1201 .2339
+.2931 .2339 .1201, divided by their sum, as if the outermost pixels were
+repeated. Then each 3 x 3 pixels are averaged. No other samples or filters may
+be given besides; -filter alone has no effect, and one line says so.
+
 PICTURES OF SAMPLES AND FILTERS
   raytracer -input scenes/30_star.txt -size 9 9 -jittered_samples 9 \
     -render_samples s.tga 20

@@ -13,6 +13,7 @@ Words companionsOf(const ArgumentRow& row) {
   const bool drawsGrid = row.name.rfind("visualize_grid", 0) == 0;
   const bool isIdle = row.name == "gui" || row.name == "gouraud" || row.name == "tessellation";
   if (isIdle) return {"-course", "2004"};
+  if (row.name == "jitter" || row.name == "filter") return {"-course", "2012"};
   if (row.name == "pixel_obj") return {"-pixel", "1", "1"};
   return drawsGrid ? Words{"-grid", "2", "2", "2"} : Words();
 }
