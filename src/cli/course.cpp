@@ -74,21 +74,30 @@ Course laterCourse(std::string_view name, Language language) {
   return course;
 }
 
+/// The words of 2012: meshes are smooth and may have a picture on them.
+Course course2012() {
+  Course course = laterCourse(kCourseNames[2], Language::of2012);
+  course.scene.meshNormals = MeshNormals::byArea;
+  course.scene.keepsTextureCoordinates = true;
+  return course;
+}
+
 /// Assignment 5 of 2012: colours of secondary rays in place of highlights.
 Course rayTracing2012() {
-  Course course = laterCourse(kCourseNames[2], Language::of2012);
+  Course course = course2012();
   course.render.maxBounces = 4;
   course.render.blendsGlass = true;
   course.render.isAmbientPlain = true;
   course.scene.areHighlightsEverywhere = false;
   course.scene.haveHighlights = false;
   course.scene.leastMirror = 0.001f;
+  course.scene.mostFlatVertices = 120;
   return course;
 }
 
 /// Assignment 4 of 2012: ray casting.
 Course rayCasting2012(const Course& withBounces) {
-  Course course = laterCourse(kCourseNames[2], Language::of2012);
+  Course course = course2012();
   course.withBounces = &withBounces;
   return course;
 }
@@ -98,6 +107,7 @@ Course course2016() {
   course.render.epsilon.value = 0.01;
   course.scene.cameraUp = SceneRules::CameraUp::asWritten;
   course.scene.nearFalloff = 0;
+  course.scene.meshNormals = MeshNormals::equal;
   course.scene.leastMirror = 0;
   course.format = PictureFormat::png;
   course.isNearBlack = true;
@@ -110,6 +120,8 @@ Course course2020() {
   course.name = kCourseNames[4];
   course.scene.language = Language::of2020;
   course.scene.cameraUp = SceneRules::CameraUp::unit;
+  course.scene.meshNormals = MeshNormals::byArea;
+  course.scene.usesFileNormals = true;
   return course;
 }
 

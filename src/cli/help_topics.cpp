@@ -209,9 +209,20 @@ GRAMMAR
 )"},
 
     {"course", "-course: what differs from year to year", 1 + R"(
-The course is given every year, with other defaults and rules for a pixel.
--course NAME chooses whose hold; an argument that is given besides wins over a
-default, whatever their order. The scene language is the same.
+The course is given every year, with other words in its scenes and other rules
+for a pixel. -course NAME chooses whose hold; an argument that is given besides
+wins over a default, whatever their order. Nothing is guessed from the scene; a
+word of another course is a mistake that names the course to ask for.
+
+  2003   the default: what the rest of this help says
+  2004   the same words, with other defaults, highlights and textures
+  2012   the open courseware: ray casting, and ray tracing
+  2016   2016 to 2019: smooth meshes, mirrors and a sky
+  2020   the same rules for scenes made of nodes
+  thu    the first assignment of a Chinese course, and the words of it
+  aalto  a Finnish course: the words of 2003, other defaults
+
+2003 AND 2004
 
   rule                   2003 (default)           2004
   shadows                on                       off: -shadows
@@ -252,6 +263,98 @@ amplitude, r the distance from the y axis. All else is as in 2003: the grammar,
 course. -gui, -gouraud and -tessellation A B of its pages open a window there;
 with -course 2004 they are taken, have no effect, and one line says so.
 
+FROM 2012 ON
+
+  rule          2012         2016         2020         thu          aalto
+  shadows       off          off          off          off          off
+  -bounces      0, or 4 (a)  0            0            0            0
+  -weight       0            0            0            0            0.1
+  -epsilon      0.001        0.01         0.01         0.001        0.001
+  pixel i of W  2i/(W-1)-1   2i/(W-1)-1   2i/(W-1)-1   2i/W-1       as 2003
+  not square    stretched    stretched    stretched    stretched    (b)
+  camera's up   as 2003      as written   made unit    as it comes  as 2003
+  highlight     of all       of all       of all       of all       as 2003
+                lights (a,c) lights (c)   lights (c)   lights (c)
+  exponent if   0            0            0            0            1
+  not given
+  point light   1/(1+f d^2)  1/(f d^2)    1/(f d^2)    1            as 2003
+  f not given   0            a mistake    20
+  meshes        smooth: by   smooth:      smooth: by   flat         flat
+                area (d)     equally      area or vn
+  mirror has    specular     specular     specular     reflective   reflective
+                colour (a)   colour       colour       colour       colour
+  glass         Schlick (a)  as 2003      none         as 2003      as 2003
+  seen from     as 2003      as 2003      as 2003      as 2003      ambient
+  behind                                                            light only
+  -depth: MIN   white        black        black        white        white
+  -normals      |n|          (n + 1) / 2  (n + 1) / 2  |n|          |n|
+  no ending     .bmp         .png         .png         .bmp         .png
+
+  (a) 2012 is ray tracing, its assignment 5, where a material of the scene has a
+      refractionIndex, or -bounces is given and above 0; else ray casting, its
+      assignment 4. Ray tracing has no highlights: a specularColor longer than
+      0.001 is the colour of a mirror; -bounces is 4. Glass sends R of it from
+      the mirrored ray and 1 - R from the refracted one, R = R0 + (1 - R0)
+      (1 - c)^5, R0 = ((n - 1) / (n + 1))^2, n being the index behind the
+      surface, c the cosine outside. Ambient light meets diffuseColor, whatever
+      texture or Noise there is.
+  (b) The angle spans the height; in a stretched picture it spans both sides.
+  (c) Of lights behind the surface too: (r.l)^shininess, 0 where r.l < 0, but 1
+      everywhere where shininess is 0.
+  (d) For ray tracing only meshes of more than 120 vertices, others flat.
+
+A smooth mesh has the mean of its faces' normals at each vertex, weighted by
+their areas or equally, and between vertices what lies between them.
+
+WORDS OF THE SCENES
+These take the place of exponent and attenuation, or are added to those of
+'raytracer -help scene'; thu has no ambientLight.
+
+  Material, PhongMaterial (2012, 2016, thu)  shininess F
+  Material, PhongMaterial (2012)  refractionIndex F   0: no glass
+                                  texture FILE        by the mesh's vt, in place
+                                                      of diffuseColor
+                                  bump FILE           not used
+      Noise { color V color V octaves I frequency F amplitude F }
+                                  in place of diffuseColor: w of the first,
+                                  1 - w of the second colour, w = (1 +
+                                  sin(frequency x + amplitude N)) / 2
+  PointLight (2012, 2016)         falloff F
+  Background (2012, 2016)         cubeMap FOLDER      left, right, up, down,
+                                                      front and back, .bmp or
+                                                      .png (or .tga, .ppm)
+  Transform (2012, 2016)          Matrix4f { F ^ 16 }
+  PerspectiveCamera (thu)         width I height I    of the picture
+
+Textures and sides of a cube map are looked for beside the scene, then in the
+current folder. Between the middles of their pixels colours are mixed.
+
+A scene of 2020 is made of nodes. The Transform of a node comes first; that and
+the material hold for all in it. A point light stands at its node's origin.
+
+  scene  = Background { color V ambient_light V [cube_map FOLDER] }
+           Camera { center V direction V up V fov F }
+           Materials { (Material { diffuse V specular V shininess F }) * }
+           Scene { node * }
+  node   = Node { [Transform { step * }] item * }
+  step   = translate V | scale V | x_rotate F | y_rotate F | z_rotate F
+  item   = Component<Material> { index I } | Component<Object> { shape }
+         | Component<Light> { light } | node
+  shape  = type sphere radius F | type plane normal V offset F
+         | type triangle vertex0 V vertex1 V vertex2 V
+         | type mesh obj_file FILE
+  light  = type point color V [attenuation F]
+         | type directional direction V color V
+
+ARGUMENTS OF THEIR OWN
+  -jitter              2012, 2016, 2020: a ray at a random place in each of the
+                       3 x 3 cells of a pixel, which are averaged
+  -filter              with it: the cells are blurred before, their rows and
+                       columns by .1201 .2339 .2931 .2339 .1201
+  -regular_samples N   what -uniform_samples N is; with -course aalto that is N
+                       random ones
+  raytracer -course thu IN.txt OUT.bmp   two bare words are scene and picture
+
 THE COMMANDS OF 2004, AS ITS PAGES HAVE THEM, FOR SCENES OF OURS
   raytracer -course 2004 -input scenes/01_exponent_ramp.txt -size 300 300 \
     -output a.tga -specular_fix
@@ -266,6 +369,19 @@ THE COMMANDS OF 2004, AS ITS PAGES HAVE THEM, FOR SCENES OF OURS
     -epsilon 0.0001
 The pictures of its assignments 6 to 8 were made with -epsilon 0.0001, those of
 4 with -weight 0.1.
+
+AND SCENES OF THE OTHERS
+  raytracer -course 2012 -input scenes/courses/2012_ray_casting.txt \
+    -size 500 500 -output f.bmp
+  raytracer -course 2012 -input scenes/courses/2012_ray_tracing.txt \
+    -size 200 200 -bounces 4 -shadows -output g.bmp
+  raytracer -course 2016 -input scenes/courses/2016_sky_and_mirrors.txt \
+    -size 800 800 -bounces 4 -shadows -output h.png -depth 8 18 depth.png
+  raytracer -course 2020 -input scenes/courses/2020_nodes.txt -size 400 300 \
+    -bounces 2 -shadows -output i.png
+  raytracer -course thu scenes/courses/thu_balls.txt j.bmp
+  raytracer -course aalto -input scenes/courses/aalto_glass.txt -size 200 200 \
+    -bounces 4 -regular_samples 9 -output k.png
 )"},
 
     {"materials", "kinds of material, textures, glass, tinted shadows", 1 + R"(

@@ -95,9 +95,12 @@ TEST("topic scene has every word of the scene language of 2003") {
   for (const std::string_view word : kGroupWords) check(word);
   for (const std::string_view word : kTransformWords) check(word);
   for (const std::string_view word : kCountWords) check(word);
+  const std::set<std::string> ofCourses = wordsOf(topicOf("course")->text);
   for (const Field& field : kFields) {
     if (isIn(field.languages, Language::of2003)) check(field.name);
+    if (field.languages != kEvery) CHECK(ofCourses.count(std::string(field.name)) == 1);
   }
+  for (const std::string_view word : kNodeStepWords) CHECK(ofCourses.count(std::string(word)) == 1);
 }
 
 TEST("-help prints each topic on standard output, with one dash or two") {
