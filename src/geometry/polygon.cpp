@@ -11,6 +11,10 @@
 //   4. Ears are looked for from corner to corner, beginning at the least one, so that the corner
 //      that comes first does not matter. Only corners with the other turn can lie in an ear.
 //
+// A corner that is no ear becomes one only when a neighbour is cut off: what is inside of the rest
+// of a polygon was inside of all of it. So each corner is looked at once, and again with every ear
+// beside it.
+//
 // What is not strictly inside an ear may touch it. A corner at the same place as one of the ear's
 // own intrudes where a side goes on from it into the ear, which is how slits look. Where nothing is
 // left but corners on a line, their triangles have no area.
@@ -59,6 +63,7 @@ int turn(const Point& a, const Point& b, const Point& c) {
   const double size =
       std::fabs(bx - ax) * std::fabs(cy - ay) + std::fabs(by - ay) * std::fabs(cx - ax);
   if (std::fabs(quick) > size * 0x1p-48) return quick > 0 ? 1 : -1;
+  if (size == 0) return 0;  // no product of floats vanishes in double
   return signOfSum({ax * by, -(ax * cy), bx * cy, -(bx * ay), cx * ay, -(cx * by)});
 }
 
@@ -114,22 +119,40 @@ bool isConvex(const std::vector<Point>& points) {
   return changes + (direction != firstDirection) <= 2;
 }
 
-/// True where the sides a b and c d have a point inside of both in common, and are not on one line.
-bool doCross(const Point& a, const Point& b, const Point& c, const Point& d) {
-  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
-      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) {
-    return false;
-  }
-  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
-}
+/// A side of the outline, and the box around it.
+struct Side {
+  Point a, b;
+  float left, right, low, high;
 
+  Side(const Point& from, const Point& to)
+      : a(from),
+        b(to),
+        left(std::min(a.x, b.x)),
+        right(std::max(a.x, b.x)),
+        low(std::min(a.y, b.y)),
+        high(std::max(a.y, b.y)) {}
+
+  /// True where the two have a point inside of both in common, and are not on one line.
+  bool crosses(const Side& other) const {
+    if (right < other.left || other.right < left || high < other.low || other.high < low) {
+      return false;
+    }
+    return turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
+           turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
+  }
+};
+
+/// Compares sides with those that begin above them only: sorted from left to right.
 bool crossesItself(const std::vector<Point>& points) {
-  const std::size_t count = points.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t l = k + 1; l < count; ++l) {
-      if (doCross(points[k], points[(k + 1) % count], points[l], points[(l + 1) % count])) {
-        return true;
-      }
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    sides.emplace_back(points[k], points[(k + 1) % points.size()]);
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& one, const Side& other) { return one.left < other.left; });
+  for (auto side = sides.begin(); side != sides.end(); ++side) {
+    for (auto other = side + 1; other != sides.end() && other->left <= side->right; ++other) {
+      if (side->crosses(*other)) return true;
     }
   }
   return false;
@@ -159,12 +182,13 @@ class EarCutter {
       // All the way around no ear: then corners on a line, which leave no area behind.
       const bool mayBeFlat = passed >= left;
       if (passed >= 2 * left) return false;
-      if (isEar(at, mayBeFlat)) {
+      if (rejected_[at] <= char(mayBeFlat) && isEar(at, mayBeFlat)) {
         cut(at);
         at = ring_[at].next;  // not the neighbour: slices stay short
         --left;
         passed = 0;
       } else {
+        rejected_[at] = std::max(rejected_[at], char(1 + mayBeFlat));
         ++passed;
       }
       at = ring_[at].next;
@@ -177,6 +201,10 @@ class EarCutter {
   struct Neighbours {
     std::uint32_t before, next;
   };
+  struct Reflex {
+    Point place;
+    std::uint32_t corner;
+  };
 
   int turnAt(std::uint32_t at) const {
     return turn(points_[ring_[at].before], points_[at], points_[ring_[at].next]);
@@ -184,9 +212,10 @@ class EarCutter {
 
   void findReflex() {
     isReflex_.resize(points_.size());
+    rejected_.resize(points_.size());
     for (std::uint32_t k = 0; k < points_.size(); ++k) {
       isReflex_[k] = turnAt(k) <= 0;
-      if (isReflex_[k]) reflex_.push_back(k);
+      if (isReflex_[k]) reflex_.push_back({points_[k], k});
     }
   }
 
@@ -200,10 +229,10 @@ class EarCutter {
                 right = std::max({ear[0].x, ear[1].x, ear[2].x}),
                 low = std::min({ear[0].y, ear[1].y, ear[2].y}),
                 high = std::max({ear[0].y, ear[1].y, ear[2].y});
-    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t k) {
-      const Point& p = points_[k];
-      if (!isReflex_[k] || k == before || k == at || k == next) return false;
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](const Reflex& reflex) {
+      const auto [p, k] = reflex;
       if (p.x < left || p.x > right || p.y < low || p.y > high) return false;
+      if (k == before || k == at || k == next) return false;
       return intrudes(k, ear, mayBeFlat);
     });
   }
@@ -212,8 +241,10 @@ class EarCutter {
   bool intrudes(std::uint32_t k, const Point (&ear)[3], bool mayTouch) const {
     const Point& p = points_[k];
     int sides[3];
-    for (int side = 0; side < 3; ++side) sides[side] = turn(ear[side], ear[(side + 1) % 3], p);
-    if (*std::min_element(sides, sides + 3) < 0) return false;
+    for (int side = 0; side < 3; ++side) {
+      sides[side] = turn(ear[side], ear[(side + 1) % 3], p);
+      if (sides[side] < 0) return false;
+    }
     for (int corner = 0; corner < 3; ++corner) {
       if (!(p == ear[corner])) continue;
       const Point &behind = ear[(corner + 1) % 3], &before = ear[(corner + 2) % 3];
@@ -230,18 +261,26 @@ class EarCutter {
     triangles_.push_back({before, at, next});
     ring_[before].next = next;
     ring_[next].before = before;
+    bool haveFewer = isReflex_[at];
     isReflex_[at] = false;
-    for (const std::uint32_t k : {before, next}) isReflex_[k] = turnAt(k) <= 0;
+    for (const std::uint32_t k : {before, next}) {
+      rejected_[k] = 0;
+      if (!isReflex_[k] || turnAt(k) <= 0) continue;
+      isReflex_[k] = false;
+      haveFewer = true;
+    }
+    if (!haveFewer) return;
     reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(),
-                                 [&](std::uint32_t k) { return !isReflex_[k]; }),
+                                 [&](const Reflex& reflex) { return !isReflex_[reflex.corner]; }),
                   reflex_.end());
   }
 
   const std::vector<Point> points_;
   std::vector<OutlineTriangle>& triangles_;
   std::vector<Neighbours> ring_;
-  std::vector<char> isReflex_;         // it does not turn to the left
-  std::vector<std::uint32_t> reflex_;  // those
+  std::vector<char> isReflex_;  // it did not turn to the left, and still does not
+  std::vector<Reflex> reflex_;  // those
+  std::vector<char> rejected_;  // 1: it is no ear; 2: nor may anything be cut off there
 };
 
 }  // namespace

@@ -116,7 +116,7 @@ OutlineShape cutPolygon(const std::vector<Vec3f>& vertices, const ObjPolygon& po
 std::vector<std::vector<ObjPolygon>> cutPolygons(const std::vector<Vec3f>& vertices,
                                                  const std::vector<ObjChunk>& chunks, int threads,
                                                  const FaceLists& faces) {
-  constexpr double kMostSteps = 0x1p29;  // as cutOutline takes for one of 23,000 corners
+  constexpr double kMostSteps = 0x1p27;  // as cutOutline takes for one of 11,500 corners
   struct Start {
     std::size_t face;
     double steps;

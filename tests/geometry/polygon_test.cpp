@@ -194,12 +194,21 @@ TEST("outlines in any plane, far from 0, or bent a little are cut alike") {
 }
 
 TEST("an outline of 10,000 corners takes less than a second") {
+  constexpr int kHalf = 5000;
   Random random(5);
-  const Outline outline = star(10000, random);
-  std::vector<OutlineTriangle> triangles;
-  const std::clock_t start = std::clock();
-  CHECK(cutOutline(outline, triangles) == OutlineShape::concave);
-  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-  CHECK(seconds < kPatience);
-  CHECK_EQUAL(triangles.size(), std::size_t(9998));
+  Outline spiral, ribbon, line = flat({{10000, 9}, {5000, 4}, {0, 9}});
+  for (int k = 0; k < 2 * kHalf; ++k) {
+    const int along = k < kHalf ? k : 2 * kHalf - 1 - k;  // there, and back beside it
+    const double angle = 0.05 * along, radius = along + (k < kHalf ? 9 : 69);
+    spiral.push_back(Vec3f(Vec3d(radius * math::cos(angle), radius * math::sin(angle), 0)));
+    ribbon.push_back(Vec3f(float(along), (along % 2 ? 1 : 200) + (k < kHalf ? 0.0f : 1.0f), 0));
+    line.push_back(Vec3f(float(k), 0, 0));
+  }
+  for (const Outline& outline : {star(2 * kHalf, random), spiral, ribbon, line}) {
+    std::vector<OutlineTriangle> triangles;
+    const std::clock_t start = std::clock();
+    CHECK(cutOutline(outline, triangles) == OutlineShape::concave);
+    CHECK(double(std::clock() - start) / CLOCKS_PER_SEC < kPatience);
+    CHECK_EQUAL(triangles.size(), outline.size() - 2);
+  }
 }
