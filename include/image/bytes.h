@@ -39,9 +39,7 @@ class ByteReader {
 
   /// To be called before memory is asked for the picture: throws ImageError where it has more than
   /// `most` pixels, which is what the bytes not taken yet can hold; they are `found` many, of a
-  /// `kind` (" compressed"). So it does where more than 2^26 pixels come from so small a file that
-  /// a byte of it stands for more than 256. (In a PNG of nothing but zeros one stands for 344 to
-  /// 1032, in a run-length encoded TGA for 64 at most.) Sides are below 2^31.
+  /// `kind` (" compressed"). Sides are below 2^31.
   void checkSize(std::uint64_t width, std::uint64_t height, std::uint64_t most, std::size_t found,
                  const char* kind = "") const;
 

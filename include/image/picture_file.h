@@ -90,9 +90,8 @@ bool isPng(const Bytes& bytes);
 /// picture in floats from 0 to 1. Alpha (and tRNS) is dropped, gamma and other ancillary chunks are
 /// skipped. CRC-32, Adler-32, chunk order and lengths are checked; what follows IEND is ignored.
 /// Errors: an unknown critical chunk, a palette index out of range, more or less data than the
-/// picture needs. Deflate expands at most 1032 : 1, and memory grows as it is decoded; a picture of
-/// more than 2^26 pixels of which a byte of the file holds more than 256 is refused. Throws
-/// ImageError.
+/// picture needs; and a picture that takes more than 256 MB of memory and more than 256 times what
+/// it is compressed to, for deflate may expand 1032 : 1. Throws ImageError.
 Image decodePng(const Bytes& bytes, const std::string& name, FloatImage* exact = nullptr);
 
 // BMP. Source: Microsoft, "Bitmap Storage" (BITMAPINFOHEADER), 2021.

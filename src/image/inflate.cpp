@@ -96,7 +96,9 @@ class Decoder {
 class Inflater {
  public:
   Inflater(const Bytes& input, std::size_t position, std::size_t most)
-      : bits_(input, position), most_(most) {}
+      : bits_(input, position), most_(most) {
+    output_.reserve(std::min(most, kMostExpansion * input.size()));  // growing takes as long again
+  }
 
   Bytes run() {
     for (bool isLast = false; !isLast;) {
@@ -180,8 +182,13 @@ class Inflater {
     const std::size_t distance = takeFrom(deflate::kDistanceRanges, distances.take(bits_));
     check(distance <= output_.size(), "a copy from before the beginning");
     checkRoom(length);
-    // Byte by byte: a copy may overlap itself.
-    for (std::size_t i = 0; i < length; ++i) output_.push_back(output_[output_.size() - distance]);
+    // A copy may overlap itself: what stands from `from` on repeats itself as far as it goes.
+    const std::size_t start = output_.size(), from = start - distance;
+    output_.resize(start + length);
+    for (std::size_t done = 0, count = 0; done < length; done += count) {
+      count = std::min(length - done, distance + done);
+      std::copy_n(&output_[from], count, &output_[start + done]);
+    }
   }
 
   /// The number that the range at this index and the next bits stand for.

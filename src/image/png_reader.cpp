@@ -68,7 +68,7 @@ class PngReader {
     reader_.check(hasData_, "expected image data before IEND, found none");
     Bytes rows = inflateRows();
     Image image(static_cast<int>(width_), static_cast<int>(height_));
-    if (exact_ && depth_ == 16) *exact_ = FloatImage(image.Width(), image.Height());
+    if (isExact()) *exact_ = FloatImage(image.Width(), image.Height());
     std::uint8_t* row = rows.data();
     for (const Pass* pass = firstPass(); pass != lastPass(); ++pass)
       row = takePass(*pass, row, image);
@@ -160,6 +160,9 @@ class PngReader {
   /// Bytes that the filters take for a pixel: of several pixels in a byte 1.
   std::size_t bytesPerPixel() const { return std::max<std::size_t>(1, channels_ * depth_ / 8); }
 
+  /// The picture is wanted in floats, and has more than bytes.
+  bool isExact() const { return exact_ && depth_ == 16; }
+
   /// All rows, each behind its filter.
   Bytes inflateRows() const {
     std::uint64_t size = 0;
@@ -171,6 +174,12 @@ class PngReader {
     const bool isPossible = size / kMostExpansion <= data_.size();
     const std::uint64_t pixels = std::uint64_t{width_} * height_;
     reader_.checkSize(width_, height_, isPossible ? pixels : 0, data_.size(), " compressed");
+    // A small picture may be as dense as it likes: it costs little whatever the file says.
+    constexpr std::uint64_t kMostBytes = 1 << 28, kMostPerByte = 256;
+    const std::uint64_t memory = size + pixels * (isExact() ? 3 + sizeof(Vec3f) : 3);
+    reader_.check(memory <= kMostBytes || memory / kMostPerByte <= data_.size(), "a picture of ",
+                  width_, " x ", height_, " pixels in ", data_.size(),
+                  " compressed bytes is refused");
     Bytes rows;
     try {
       rows = inflateZlib(data_, size);
@@ -192,7 +201,7 @@ class PngReader {
       for (std::uint64_t column = 0; column < columns; ++column) {
         const int x = int(pass.x + column * pass.dx);
         image.setPixel(x, y, pixelOf(row + 1, column));
-        if (exact_ && depth_ == 16) exact_->setPixel(x, y, exactOf(row + 1, column));
+        if (isExact()) exact_->setPixel(x, y, exactOf(row + 1, column));
       }
     }
     return row;
@@ -219,12 +228,13 @@ class PngReader {
     const std::uint64_t bit = number * depth_;
     return samples[bit / 8] >> (8 - depth_ - bit % 8) & ((1u << depth_) - 1);
   }
-  unsigned largestSample() const { return (1u << depth_) - 1; }
 
   /// A colour's sample as a byte, rounded to nearest (12.5 of the specification's third edition).
   std::uint8_t byteAt(const std::uint8_t* samples, std::uint64_t number) const {
-    const unsigned most = largestSample();
-    return std::uint8_t((sampleAt(samples, number) * 255 + most / 2) / most);
+    if (depth_ == 8) return samples[number];
+    const unsigned sample = sampleAt(samples, number);
+    if (depth_ == 16) return std::uint8_t((sample * 255 + 32767) / 65535);
+    return std::uint8_t(sample * (255 / ((1u << depth_) - 1)));  // 255, 85 and 17 fit exactly
   }
 
   /// The pixel at a column of a row of samples.
