@@ -116,6 +116,7 @@ class SceneParser {
   Vec3f ambientLight_;
   std::vector<std::unique_ptr<Light>> lights_;
   std::vector<std::unique_ptr<ImageTexture>> pictures_;
+  std::vector<std::unique_ptr<NoiseMap>> noiseMaps_;
   std::vector<std::unique_ptr<Material>> materials_;
   std::vector<std::unique_ptr<Object3D>> objects_;
   std::vector<std::unique_ptr<MeshGeometry>> meshes_;

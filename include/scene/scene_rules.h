@@ -2,6 +2,7 @@
 // makes the scene by them; nobody asks for them later.
 #pragma once
 #include <cstddef>
+#include <string_view>
 
 #include "geometry/mesh_shading.h"
 
@@ -36,8 +37,10 @@ struct SceneRules {
   float leastMirror = kNoMirror;
   static constexpr float kNoMirror = 1e30f;
 
-  double noiseSlope = 0.5;     ///< of Noise: the weight of its second material is 1/2 + slope N
-  double marbleHeight = 1;     ///< of Marble's waves: 1, or -1, which exchanges its materials
+  double noiseSlope = 0.5;  ///< of Noise: the weight of its second material is 1/2 + slope N
+  double marbleHeight = 1;  ///< of Marble's waves: 1, or -1, which exchanges its materials
+  /// Of the six pictures of a cube map; those of other endings are taken where there are none.
+  std::string_view cubeMapEnding = "bmp";
   bool isWoodGrained = false;  ///< Wood is a GrainedWood
   /// What the normals of meshes are made of that have more than mostFlatVertices vertices; the
   /// others are flat.

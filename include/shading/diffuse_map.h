@@ -17,7 +17,7 @@ class DiffuseMap {
 
 /// A picture that is laid over a surface by the surface's own coordinates u, to the right, and v,
 /// upwards: from 0 to 1 they span the picture.
-class ImageTexture {
+class ImageTexture : public DiffuseMap {
  public:
   /// Of at least one pixel; three bytes each are kept.
   explicit ImageTexture(Image image) : image_(std::move(image)) {}
@@ -27,6 +27,8 @@ class ImageTexture {
   /// four pixels around, by weights that fall evenly with the distance on each axis. Beyond the
   /// outermost pixels, these go on; a coordinate that is NaN counts as 0.
   Vec3d colorAt(double u, double v) const;
+  /// At the hit's texture place.
+  Vec3d colorAt(const Hit& hit) const override;
 
   /// Of memory.
   std::size_t byteCount() const {

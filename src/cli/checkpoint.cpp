@@ -156,7 +156,7 @@ void Checkpoint::checkHeader() {
   const Digest sum = sha256(found.data(), summed);
   if (std::equal(sum.begin(), sum.end(), &found[summed])) {
     throw UsageError("-checkpoint: '" + path_ +
-                     "' was made from another scene, other meshes or other arguments; expected "
+                     "' was made from another scene, other meshes, pictures or arguments; expected "
                      "the command that made it, or no such file");
   }
   damaged_ = size == header.size();

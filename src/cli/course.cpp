@@ -105,6 +105,7 @@ Course rayCasting2012(const Course& withBounces) {
 Course course2016() {
   Course course = laterCourse(kCourseNames[3], Language::of2016);
   course.render.epsilon.value = 0.01;
+  course.scene.cubeMapEnding = "png";
   course.scene.cameraUp = SceneRules::CameraUp::asWritten;
   course.scene.nearFalloff = 0;
   course.scene.meshNormals = MeshNormals::equal;

@@ -314,7 +314,7 @@ These take the place of exponent and attenuation, or are added to those of
   Material, PhongMaterial (2012)  refractionIndex F   0: no glass
                                   texture FILE        by the mesh's vt, in place
                                                       of diffuseColor
-                                  bump FILE           not used
+                                  bump FILE           not used; 2016 too
       Noise { color V color V octaves I frequency F amplitude F }
                                   in place of diffuseColor: w of the first,
                                   1 - w of the second colour, w = (1 +
@@ -770,9 +770,9 @@ works with parts; -render_samples and -render_filter do not.
 
 A part is a TGA that any viewer shows; its header's origin fields hold X and Y,
 and its image ID the kind of picture, the whole size, and a fingerprint of the
-scene, its meshes and all arguments that may change a pixel, as they were given:
--bounces 5 is another picture than no -bounces. Parts in other formats are plain
-pictures, which cannot be merged.
+scene, its meshes and pictures and all arguments that may change a pixel, as
+they were given: -bounces 5 is another picture than no -bounces. Parts in other
+formats are plain pictures, which cannot be merged.
 
 MERGING
 -merge writes the plain image that a single run would have written, in the
@@ -823,13 +823,13 @@ was never ended; then the file is removed. -threads, -simd, -accel and the names
 of the images (with the same endings) may be others. An end loses the tiles in
 work; a power failure what the system had not written yet, some half minute.
 
-A file of another scene, other meshes, other arguments or another version of the
-program is refused with status 2, and so is what is no checkpoint; both stay as
-they are. What is cut off or damaged is rendered again (each tile has a SHA-256
-of its own). Only one run at a time has the file. Where it cannot be written any
-more (a full disk), a warning is printed and the picture goes on; where an image
-cannot be written it stays, for a run that can. Meshes must be plain files,
-which are read a second time. To try it:
+A file of another scene, other meshes, pictures, arguments or another version of
+the program is refused with status 2, and so is what is no checkpoint; both stay
+as they are. What is cut off or damaged is rendered again (each tile has a
+SHA-256 of its own). Only one run at a time has the file. Where it cannot be
+written any more (a full disk), a warning is printed and the picture goes on;
+where an image cannot be written it stays, for a run that can. Meshes must be
+plain files, which are read a second time. To try it:
   raytracer -input scenes/20_still_life.txt -size 1200 900 -output a.tga
   timeout 1 raytracer -input scenes/20_still_life.txt -size 1200 900 \
     -output b.tga -checkpoint c          as often as you like

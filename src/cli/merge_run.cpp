@@ -161,7 +161,7 @@ std::string differenceText(const PartId& expected, const PartId& found) {
     return sizeText(found) + " instead of " + sizeText(expected);
   }
   if (found.kind != expected.kind) return "its " + found.kind + " instead of its " + expected.kind;
-  return "another scene, other meshes or other arguments";
+  return "another scene, other meshes, pictures or arguments";
 }
 
 /// Most parts say which picture it is, of as many the first one; the others are named.

@@ -232,8 +232,10 @@ void FieldReader::readField(Value& value, const OwnReader& readOwn) {
     if (!readValue(value, readOwn)) start = nullptr;
   }
   value.at = start;
-  // A texture has two of these.
-  if (!before || !start || value.field->name == "materialIndex") return;
+  // A texture has two of these, and so has noise.
+  const bool isPair = value.field->name == "materialIndex" ||
+                      (value.field->name == "color" && kind == ValueKind::ownReader);
+  if (!before || !start || isPair) return;
   repeats_.push_back({start, value.field->name, before});
 }
 

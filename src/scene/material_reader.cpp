@@ -91,13 +91,14 @@ std::unique_ptr<Material> MaterialReader::read() {
       owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";
   const std::string_view kind = isPhong ? "PhongMaterial" : owner;
   Fields fields(in_.language(), {kind, "every material"});
-  std::size_t distribution = 0;
+  OwnWords own;
   in_.readFields(owner, fields, [&](std::string_view name) {
-    return in_.readChoice(name, kDistributionWords, distribution);
+    return name == "Noise" ? readNoise(own.noise)
+                           : in_.readChoice(name, kDistributionWords, own.distribution);
   });
   in_.checkRanges("every material", fields);
   in_.checkRanges(kind, fields);
-  std::unique_ptr<Material> material = make(owner, fields, distribution);
+  std::unique_ptr<Material> material = make(owner, fields, own);
   material->setPriority(fields["priority"].whole());
   return material;
 }
@@ -113,7 +114,7 @@ std::unique_ptr<Material> MaterialReader::readNodeMaterial(std::string_view owne
 }
 
 std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fields& fields,
-                                               std::size_t distribution) {
+                                               OwnWords& own) {
   const Vec3f diffuse = fields["diffuseColor"].color();
   const Vec3f transparent = fields["transparentColor"].color();
   const Vec3f reflective = fields["reflectiveColor"].color();
@@ -132,11 +133,12 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
     using Distribution = CookTorranceMaterial::Distribution;
     return std::make_unique<CookTorranceMaterial>(
         diffuse, fresnelOf(fields), fields["roughness"].single(),
-        distribution == 0 ? Distribution::ggx : Distribution::beckmann, transparent, reflective,
+        own.distribution == 0 ? Distribution::ggx : Distribution::beckmann, transparent, reflective,
         index);
   }
   PhongWords words = {diffuse, specular, transparent, reflective, index};
   words.exponent = &fields[fields.has("shininess") ? "shininess" : "exponent"];
+  words.map = mapOf(fields, std::move(own.noise));
   if (length(specular) > rules_.leastMirror) {
     if (!fields["reflectiveColor"].at) words.reflective = specular;
     const bool refracts = fields.has("refractionIndex") && fields["refractionIndex"].single() > 0;
@@ -162,6 +164,7 @@ std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, Phon
     material = std::make_unique<PhongMaterial>(words.diffuse, words.specular, exponent,
                                                words.transparent, words.reflective, words.index);
   }
+  material->setDiffuseMap(words.map);
   if (rules_.areHighlightsDimmed) material->setHighlight(Highlight::dimmed);
   if (rules_.areHighlightsEverywhere) {
     material->setHighlight(Highlight::everywhere);

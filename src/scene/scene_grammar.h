@@ -20,6 +20,8 @@ inline constexpr Languages kOf2003 = only(Language::of2003), kOf2012 = only(Lang
                            kOfThu = only(Language::ofThu);
 /// Those in which materials say shininess, and cameras and objects what they say in 2003.
 inline constexpr Languages kOfShininess = kOf2012 | kOf2016 | kOfThu;
+/// Those in which a background may be a cube map.
+inline constexpr Languages kOfCubeMaps = kOf2012 | kOf2016 | kOf2020;
 /// A course that has the language.
 inline constexpr std::pair<Language, std::string_view> kLanguageNames[] = {
     {Language::of2003, "2003"}, {Language::of2012, "2012"}, {Language::of2016, "2016"},
@@ -99,6 +101,7 @@ inline constexpr Field kFields[] = {
 
     {"Background", "color", ValueKind::color, Range::color, kOptional, {0.5, 0.5, 0.5}},
     {"Background", "ambientLight", ValueKind::color, Range::color, kOptional, {}, but(kOfThu)},
+    {"Background", "cubeMap", ValueKind::fileName, Range::any, kOptional, {}, kOfCubeMaps},
 
     {"every material", "diffuseColor", ValueKind::color, Range::color, kOptional, {1, 1, 1}},
     {"every material", "transparentColor", ValueKind::color, Range::color, kOptional},
@@ -121,6 +124,9 @@ inline constexpr Field kFields[] = {
      kOptional,
      {},
      kOf2012},
+    {"PhongMaterial", "texture", ValueKind::fileName, Range::any, kOptional, {}, kOf2012},
+    {"PhongMaterial", "Noise", ValueKind::ownReader, Range::any, kOptional, {}, kOf2012},
+    {"PhongMaterial", "bump", ValueKind::fileName, Range::any, kOptional, {}, kOf2012 | kOf2016},
     {"node material", "diffuse", ValueKind::color, Range::color, kOptional, {1, 1, 1}, kOf2020},
     {"node material", "specular", ValueKind::color, Range::color, kOptional, {}, kOf2020},
     {"node material", "shininess", ValueKind::single, Range::atLeastZero, kOptional, {}, kOf2020},
@@ -138,12 +144,16 @@ inline constexpr Field kFields[] = {
     {"every texture", "materialIndex", ValueKind::ownReader},
     {"Checkerboard", "size", ValueKind::number, Range::aboveZero, kOptional, {1}},
     {"Noise", "octaves", ValueKind::ownReader},
+    {"noise of colors", "color", ValueKind::ownReader},
+    {"noise of colors", "octaves", ValueKind::ownReader},
+    {"noise of colors", "frequency", ValueKind::number},
+    {"noise of colors", "amplitude", ValueKind::number},
     {"every wave", "octaves", ValueKind::ownReader},
     {"every wave", "frequency", ValueKind::number},
     {"every wave", "amplitude", ValueKind::number},
 };
 /// No block, with what it has in common with others, has more fields.
-inline constexpr std::size_t kMostFields = 10;
+inline constexpr std::size_t kMostFields = 11;
 
 /// A step of a Transform.
 struct Step {

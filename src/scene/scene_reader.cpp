@@ -29,7 +29,7 @@ SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& s
       scene_(scene),
       meshes_(text, log, scene.meshes_, rules),
       pictures_(text, log, scene.pictures_),
-      materials_(in_, notes_, scene.materials_, rules),
+      materials_(in_, notes_, scene.materials_, pictures_, scene.noiseMaps_, rules),
       objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}
 
 void SceneReader::read() {
@@ -186,7 +186,11 @@ void SceneReader::readBackground() {
   Fields fields(in_.language(), {"Background"});
   in_.readFields("Background", fields);
   in_.checkRanges("Background", fields);
-  scene_.background_ = Background(fields["color"].color());
+  std::optional<CubeMap> cubeMap;
+  if (fields.has("cubeMap") && fields["cubeMap"].at) {
+    cubeMap = pictures_.findCube(in_.fileNameAt(fields["cubeMap"].at), rules_.cubeMapEnding);
+  }
+  scene_.background_ = Background(fields["color"].color(), cubeMap);
   if (fields.has("ambientLight")) scene_.ambientLight_ = fields["ambientLight"].color();
 }
 

@@ -80,10 +80,16 @@ class SceneNotes {
 /// Reads materials, and keeps which one holds for the objects that follow.
 class MaterialReader {
  public:
-  /// All must outlive the reader.
+  /// All must outlive the reader. Of `noiseMaps` some materials have their colours.
   MaterialReader(FieldReader& in, SceneNotes& notes,
-                 std::vector<std::unique_ptr<Material>>& materials, const SceneRules& rules)
-      : in_(in), notes_(notes), materials_(materials), rules_(rules) {}
+                 std::vector<std::unique_ptr<Material>>& materials, PictureLibrary& pictures,
+                 std::vector<std::unique_ptr<NoiseMap>>& noiseMaps, const SceneRules& rules)
+      : in_(in),
+        notes_(notes),
+        materials_(materials),
+        pictures_(pictures),
+        noiseMaps_(noiseMaps),
+        rules_(rules) {}
 
   /// Whether any material's highlight is seen of lights behind the surface.
   bool haveHighlightsBehind() const { return haveHighlightsBehind_; }
@@ -120,15 +126,23 @@ class MaterialReader {
     Vec3f diffuse, specular, transparent, reflective;
     float index = 1;
     const Value* exponent = nullptr;
+    const DiffuseMap* map = nullptr;  // not owned
+  };
+
+  /// What of a material's block is read by functions of their own.
+  struct OwnWords {
+    std::size_t distribution = 0;
+    std::unique_ptr<NoiseMap> noise;
   };
 
   void add();
   std::unique_ptr<Material> read();
-  std::unique_ptr<Material> make(std::string_view owner, const Fields& fields,
-                                 std::size_t distribution);
+  std::unique_ptr<Material> make(std::string_view owner, const Fields& fields, OwnWords& own);
   std::unique_ptr<Material> readNodeMaterial(std::string_view owner);
   std::unique_ptr<Material> makePhong(std::string_view owner, PhongWords& words);
   Fresnel fresnelOf(const Fields& fields);
+  bool readNoise(std::unique_ptr<NoiseMap>& noise);
+  const DiffuseMap* mapOf(const Fields& fields, std::unique_ptr<NoiseMap> noise);
   std::unique_ptr<Material> readTexture(std::string_view owner);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
   bool readTextureIndex(std::string_view owner, TextureWords& words);
@@ -137,6 +151,8 @@ class MaterialReader {
   FieldReader& in_;
   SceneNotes& notes_;
   std::vector<std::unique_ptr<Material>>& materials_;
+  PictureLibrary& pictures_;
+  std::vector<std::unique_ptr<NoiseMap>>& noiseMaps_;
   const SceneRules rules_;
   Selection current_;
   bool isMissed_ = false;

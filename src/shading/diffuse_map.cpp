@@ -44,6 +44,11 @@ Vec3d ImageTexture::colorAt(double u, double v) const {
   return mixed(colorIn(rows.first), colorIn(rows.second), rows.share) / 255;
 }
 
+Vec3d ImageTexture::colorAt(const Hit& hit) const {
+  const Vec2d place = hit.getTexturePlace();
+  return colorAt(place.x(), place.y());
+}
+
 Vec3d NoiseMap::colorAt(const Hit& hit) const {
   const Vec3d& p = hit.getIntersectionPoint();
   const double angle = frequency_ * p.x() + amplitude_ * math::fractalNoise(p, octaves_);

@@ -92,7 +92,7 @@ TEST("parts of depth and normals are of their own kind, rendered together or sin
                  "n2.tga: expected a part of the same picture as "
                  "d1.tga, found one of its normals instead"));
   CHECK_EQUAL(desk.run(std::string(kSize) + "-depth 1 8 d3.tga -tile 2 2").status, 0);
-  CHECK(contains(refusal(desk, "d1.tga d3.tga"), "other arguments"));
+  CHECK(contains(refusal(desk, "d1.tga d3.tga"), "or arguments"));
 }
 
 TEST("a part's header holds its place from the top left, and an image ID") {
@@ -178,7 +178,7 @@ TEST("parts of another picture are refused: another scene, mesh, argument or siz
   CHECK_EQUAL(desk.run(kSize + second + " -bounces 4").status, 0);
   CHECK(contains(message(),
                  "q.tga: expected a part of the same picture as p1.tga, found one of "
-                 "another scene, other meshes or other arguments"));
+                 "another scene, other meshes, pictures or arguments"));
   CHECK_EQUAL(desk.run("-input scene.txt -size 20 12 " + second).status, 0);
   CHECK(contains(message(), "found one of 20 x 12 pixels instead of 20 x 13 pixels"));
   desk.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
