@@ -1,7 +1,7 @@
 #!/bin/sh
-# Renders every scene of this folder to build/renders, with the arguments that the scene's comment
-# gives, and makes a page with all of them, build/gallery/index.html; installs a compiler and cmake
-# where they are missing.
+# Renders every scene of this folder, and of courses/ in it, to build/renders, with the arguments
+# that the scene's comment gives, and makes a page with all of them, build/gallery/index.html;
+# installs a compiler and cmake where they are missing.
 root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd) || exit 1
 . "$root/tests/setup.sh"
 . "$root/tests/scene_arguments.sh"
@@ -28,7 +28,7 @@ install_missing
 build_program --target raytracer
 mkdir -p "$build/renders" && begin_gallery || exit 1
 status=0
-for scene in "$root"/scenes/*.txt; do
+for scene in "$root"/scenes/*.txt "$root"/scenes/courses/*.txt; do
   [ -f "$scene" ] || continue
   if render_scene "$scene"; then
     add_to_gallery "$scene" "$seconds s"

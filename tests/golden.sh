@@ -15,8 +15,9 @@ size='-size 96 72'
 
 # The scenes as their comments say, but smaller; then option sets, a scene and its arguments a line.
 cases() {
-  for scene in "$root"/scenes/*.txt; do
-    echo "$(basename "$scene" .txt) $(arguments_of "$scene")$size"
+  for scene in "$root"/scenes/*.txt "$root"/scenes/courses/*.txt; do
+    name=${scene#"$root/scenes/"}
+    echo "${name%.txt} $(arguments_of "$scene")$size"
   done
   sed "s/ / $size /" "$root/tests/golden_options.txt"
 }

@@ -323,7 +323,7 @@ These take the place of exponent and attenuation, or are added to those of
   Background (2012, 2016)         cubeMap FOLDER      left, right, up, down,
                                                       front and back, .bmp or
                                                       .png (or .tga, .ppm)
-  Transform (2012, 2016)          Matrix4f { F ^ 16 }
+  Transform (2012, 2016, thu)     Matrix4f { F ^ 16 }
   PerspectiveCamera (thu)         width I height I    of the picture
 
 Textures and sides of a cube map are looked for beside the scene, then in the

@@ -173,7 +173,7 @@ inline constexpr Step kSteps[] = {
     {"ZRotate", 1, false, "ZRotate", but(kOf2020)},
     {"Rotate", 4, true, "Rotate", but(kOf2020)},
     {"Matrix", kMostStepNumbers, true, "Matrix", but(kOf2020)},
-    {"Matrix4f", kMostStepNumbers, true, "Matrix", kOf2012 | kOf2016},
+    {"Matrix4f", kMostStepNumbers, true, "Matrix", kOfShininess},
     {"translate", 3, false, "Translate", kOf2020},
     {"scale", 3, true, "Scale", kOf2020},
     {"x_rotate", 1, false, "XRotate", kOf2020},

@@ -124,3 +124,72 @@ TEST("the pictures of aalto come out as published by its list of commands") {
   }
   CHECK(count > 30);
 }
+
+namespace {
+
+/// A published picture: scene, arguments, and how much of it may be more than `level` off.
+struct Published {
+  const char *picture, *scene, *arguments;
+  int level;
+  double percent;
+};
+
+void checkPublished(const std::string& course, const std::string& folderName,
+                    const std::vector<Published>& rows) {
+  const std::string folder = check::referenceFolder() + "/courses/" + folderName;
+  if (!std::filesystem::is_directory(folder)) SKIP("no reference pictures here");
+  const check::Desk desk;
+  for (const Published& row : rows) {
+    const check::ProgramRun run = desk.run("-course " + course + " -input " + folder + "/" +
+                                           row.scene + ".txt -output out.png " + row.arguments);
+    CHECK_EQUAL(run.status, 0);
+    const Image published = readImage(folder + "/pictures/" + row.picture + ".png");
+    const ImageDifference difference = compareImages(readImage(desk.file("out.png")), published);
+    CHECK(percentOver(row.level, row.picture, difference) <= row.percent);
+  }
+}
+
+}  // namespace
+
+TEST("the pictures of 2012's ray casting come out as published") {
+  const char* const kSize = "-size 500 500";
+  // The published ambient light of a texture is that of the pixel before.
+  checkPublished("2012", "2012-casting",
+                 {{"scene02", "scene02_cube", kSize, 1, 0.02},
+                  {"scene04", "scene04_axes", kSize, 1, 0.02},
+                  {"scene05", "scene05_bunny_200", kSize, 1, 0.02},
+                  {"scene08", "scene08_c", kSize, 8, 0.5}});
+}
+
+TEST("the pictures of 2012's ray tracing come out as published") {
+  const char* const kFirst = "-size 200 200 -bounces 0";
+  const char* const kShadows = "-size 200 200 -bounces 0 -shadows";
+  const char* const kOne = "-size 200 200 -bounces 1 -shadows";
+  const char* const kFour = "-size 200 200 -bounces 4 -shadows";
+  checkPublished("2012", "2012-tracing",
+                 {{"scene10_sphere_b0", "scene10_sphere", kFirst, 1, 0.1},
+                  {"scene10_sphere_b0s", "scene10_sphere", kShadows, 1, 0.1},
+                  {"scene10_sphere_b1s", "scene10_sphere", kOne, 1, 0.1},
+                  {"scene10_sphere_b4s", "scene10_sphere", kFour, 1, 0.1},
+                  {"scene12_vase_b0", "scene12_vase", kFirst, 1, 0.1},
+                  {"scene12_vase_b0s", "scene12_vase", kShadows, 1, 0.1},
+                  {"scene12_vase_b1s", "scene12_vase", kOne, 1, 0.1},
+                  {"scene12_vase_b4s", "scene12_vase", kFour, 1, 0.1}});
+}
+
+TEST("the colours of 2016 come out as published") {
+  const char* const kSize = "-size 800 800";
+  checkPublished("2016", "2016",
+                 {{"a01", "scene01_plane", kSize, 1, 0.02},
+                  {"a03", "scene03_sphere", kSize, 1, 0.02},
+                  {"a04", "scene04_axes", kSize, 1, 0.02},
+                  {"a05", "scene05_bunny_200", kSize, 1, 0.02},
+                  {"a06", "scene06_bunny_1k", "-size 800 800 -bounces 4", 1, 0.02}});
+}
+
+TEST("the pictures of thu come out as published, in the size that the scene gives") {
+  checkPublished("thu", "thu",
+                 {{"scene01", "scene01_basic", "", 1, 0.02},
+                  {"scene04", "scene04_axes", "", 1, 0.02},
+                  {"scene07", "scene07_shine", "", 1, 0.02}});
+}

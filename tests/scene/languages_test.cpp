@@ -169,7 +169,7 @@ TEST("whether a scene of 2012 has glass is found out from its words") {
   CHECK(!hasGlass("Material { shininess 2 }") && !hasGlass("refractionIndex"));
 }
 
-TEST("Matrix4f is a step of 2012 and 2016") {
+TEST("Matrix4f is a step of 2012, 2016 and thu") {
   const std::string text =
       materials("") +
       " Group { numObjects 1 MaterialIndex 0 Transform { Matrix4f { 1 0 0 2 0 1 "
@@ -177,7 +177,7 @@ TEST("Matrix4f is a step of 2012 and 2016") {
   BoundingBox box;
   parse(text, rulesOf(Language::of2012)).getGroup()->addBounds(Matrix(), box);
   CHECK(box.low() == Vec3d(1, -1, -1) && box.high() == Vec3d(3, 1, 1));
-  CHECK(contains(mistakeOf(kCamera + text), "Matrix4f is a word of 2012 and 2016"));
+  CHECK(contains(mistakeOf(kCamera + text), "Matrix4f is a word of 2012, 2016 and thu"));
 }
 
 TEST("a camera of thu gives the picture's size") {
