@@ -63,6 +63,11 @@ class Shader {
                  float& nextWeight) const;
   /// Whether factors of transparent materials depend on the angle, and on the media.
   bool areFactorsAngular() const { return options_.fresnel || options_.blendsGlass; }
+  /// With blended glass the index before a surface is that of the medium that the ray travels in,
+  /// wherever the surface's outside is.
+  bool followsIndex() const {
+    return options_.blendsGlass && !options_.fresnel && !options_.nestedDielectrics;
+  }
   /// Between equal indices a refracted ray goes straight on, to the last bit, where media are
   /// looked after.
   bool keepsStraight() const { return options_.nestedDielectrics || options_.fresnel; }

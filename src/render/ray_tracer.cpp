@@ -36,6 +36,7 @@ Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float
                           Hit& hit) const {
   Interface interface;
   if (!meet(ray, tmin, hit, interface)) return scene_->getBackground().colorAt(ray.getDirection());
+  if (shader_.followsIndex()) interface.before = {false, indexOfRefraction};
   return shade({ray, hit, interface, bounces, weight, indexOfRefraction});
 }
 

@@ -48,11 +48,13 @@ void takeColumns(Arena& arena, int rows, double* (*const (&tables)[kTables])[3])
 
 }  // namespace
 
-WaveRays::WaveRays(Arena& arena, int rows, bool hasSources) : RayTable(arena, rows, hasSources) {
+WaveRays::WaveRays(Arena& arena, int rows, bool hasSources, bool hasIndices)
+    : RayTable(arena, rows, hasSources) {
   count = 0;
   weight = arena.take<float>(std::size_t(rows));
   factor = arena.take<Vec3f>(std::size_t(rows));
   parent = arena.take<std::uint16_t>(std::size_t(rows));
+  if (hasIndices) index = arena.take<float>(std::size_t(rows));
 }
 
 WaveLight::WaveLight(Arena& arena, int rows, bool hasSources) : RayTable(arena, rows, hasSources) {

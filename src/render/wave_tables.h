@@ -13,9 +13,12 @@ struct WaveRays : RayTable {
   float* weight;  ///< the share that the ray's colour has in the pixel
   Vec3f* factor;  ///< of its colour in that of the surface
   std::uint16_t* parent;
+  float* index = nullptr;  ///< of refraction, of the medium it travels in; null: 1 for all
 
   /// Room for `rows` rays, none of which is there yet.
-  WaveRays(Arena& arena, int rows, bool hasSources);
+  WaveRays(Arena& arena, int rows, bool hasSources, bool hasIndices = false);
+
+  float indexOf(int row) const { return index ? index[row] : 1; }
 };
 
 /// A table of rays, and what they have met.

@@ -35,7 +35,8 @@ class WaveTracer::Branches {
       : tracer_(tracer),
         generation_(generation),
         surfaces_(surfaces),
-        next_(tracer.arena_, std::min(2 * surfaces.count, RayTable::kMost), tracer.hasSources_) {
+        next_(tracer.arena_, std::min(2 * surfaces.count, RayTable::kMost), tracer.hasSources_,
+              tracer.tracer_.shader().followsIndex()) {
     const auto most = std::size_t(surfaces.count);
     rows_ = tracer.arena_.take<std::uint16_t>(most);
     places_ = tracer.arena_.take<std::uint16_t>(most);
@@ -75,7 +76,8 @@ class WaveTracer::Branches {
     int count = 0;
     for (int k = first; k < last; ++k) {
       const double approach = dot(rowOf(surfaces_.normal, k), rowOf(surfaces_.view, k));
-      const Interface& interface = generation_.interfaceOf(surfaces_.ray[k], approach);
+      Interface interface = generation_.interfaceOf(surfaces_.ray[k], approach);
+      if (next_.index) interface.before = {false, generation_.rays.indexOf(surfaces_.ray[k])};
       const Vec3f factor = shader.factorOf(kind, material, interface, approach);
       const Outcome outcome = shader.follow(generation_.bounces, surfaces_.weight[k], factor,
                                             interface.tint, weights_[count]);
@@ -119,7 +121,7 @@ class WaveTracer::Branches {
 
   void addMirrored(int count) {
     tracer_.kernels_.mirror({surfaces_, {rows_, count}, next_, next_.count});
-    for (int k = 0; k < count; ++k) append(k);
+    for (int k = 0; k < count; ++k) append(k, before_);
     countRays(RayKind::mirror, count);
   }
 
@@ -132,19 +134,21 @@ class WaveTracer::Branches {
     }
     const int kept =
         tracer_.kernels_.refract(numbers, {surfaces_, {rows_, count}, next_, next_.count}, places_);
-    for (int k = 0; k < kept; ++k) append(places_[k]);
+    for (int k = 0; k < kept; ++k) append(places_[k], behind_);
     countRays(RayKind::refracted, kept);
     countEnds(RayKind::refracted, Outcome::totalReflection, count - kept);
   }
 
   /// The ray of place `k` in the list, whose origin and direction are in the table, joins it.
-  void append(int k) {
+  /// `indices` of the places are those of the media where their rays go.
+  void append(int k, const double* indices) {
     const int row = next_.count++, surface = rows_[k];
     next_.tmin[row] = surfaces_.tmin[surface];
     next_.tmax[row] = kInfinity;
     next_.weight[row] = weights_[k];
     next_.factor[row] = factors_[k];
     next_.parent[row] = rows_[k];
+    if (next_.index) next_.index[row] = float(indices[k]);
     if (!next_.source) return;
     next_.source[row] = generation_.hits.object[surfaces_.ray[surface]];
     next_.sourceFace[row] = generation_.hits.face[surfaces_.ray[surface]];
@@ -227,7 +231,8 @@ void WaveTracer::traceOneByOne(const WaveRays& rays, int bounces, HitTable& hits
   for (int row = 0; row < rays.count; ++row) {
     Ray ray = rays.rayOf(row);
     Hit hit;
-    colors[row] = tracer_.traceRay(ray, float(rays.tmin[row]), bounces, rays.weight[row], 1, hit);
+    colors[row] = tracer_.traceRay(ray, float(rays.tmin[row]), bounces, rays.weight[row],
+                                   rays.indexOf(row), hit);
     if (!hit.getMaterial()) continue;
     rays.tmax[row] = hit.getT();
     hits.setRow(row, hit, 0);

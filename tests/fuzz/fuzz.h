@@ -49,9 +49,10 @@ class Scratch {
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
-  /// Writes a file anew and returns its path.
+  /// Writes a file anew, in a folder that is made for it where there is none, and returns its path.
   std::string write(const std::string& name, const std::string& content) const {
     const std::string path = path_ + "/" + name;
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
     std::ofstream(path, std::ios::binary) << content;
     return path;
   }

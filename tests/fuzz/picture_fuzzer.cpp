@@ -1,6 +1,7 @@
 // Fuzz target: pictures of scenes that are made from the input's bytes, so that nearly all of them
 // are good; each byte chooses what comes next, or a number. Demand: the tree, and every instruction
-// set, give the bytes that the plain objects give. SHOW_SCENE=1 in the environment prints the scene.
+// set, give the bytes that the plain objects give. SHOW_SCENE=1 in the environment prints the
+// scene.
 #include <iterator>
 #include <memory>
 #include <sstream>

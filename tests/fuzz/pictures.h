@@ -12,9 +12,9 @@ namespace fuzz {
 
 inline constexpr int kWidth = 8, kHeight = 6;
 
-/// Options from the bits of one byte; the rarer ones go with combinations of others.
-inline RenderOptions optionsFrom(unsigned choice) {
-  RenderOptions options;
+/// Options from the bits of one byte, in place of those of a course; the rarer ones go with
+/// combinations of others.
+inline RenderOptions optionsFrom(unsigned choice, RenderOptions options = {}) {
   options.transparentShadows = (choice & 1) != 0;
   options.shadeBack = (choice & 2) != 0;
   options.maxBounces = int(choice >> 2 & 3);
@@ -47,7 +47,8 @@ inline Bytes pictures(const SceneParser& scene, const Object3D& geometry,
 
 /// Demands that the tree, with every instruction set, gives the bytes that the plain objects give.
 inline void comparePictures(SceneParser& scene, const RenderOptions& options) {
-  if (options.transparentShadows) scene.findClosedMeshes();
+  const bool asksMedia = options.transparentShadows || options.fresnel || options.nestedDielectrics;
+  if (asksMedia) scene.findClosedMeshes();
   const Bytes plain = pictures(scene, *scene.getGroup(), options);
   for (const SimdLevel level : {SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
     if (availableSimd(level) != level) continue;

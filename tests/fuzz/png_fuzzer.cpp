@@ -1,7 +1,8 @@
 // Fuzz target: the PNG reader. As no made-up input has right checksums, it is taken three ways:
 // - with PNG's signature: as a file, once as it is and once with every chunk's CRC put right;
 // - else, where the first byte is odd: as the deflate data of a stream;
-// - else as a picture: width - 1, height - 1, colour type and interlacing, depth, then what the zlib
+// - else as a picture: width - 1, height - 1, colour type and interlacing, depth, then what the
+// zlib
 //   stream holds.
 // Demands: errors are ImageError or InflateError and one line that prints; a picture that was read
 // has pixels; one that was well wrapped is read exactly when its size fits.

@@ -13,7 +13,9 @@ void printSceneWords() {
   const auto print = [](std::string_view word) {
     std::printf("\"%.*s \"\n", int(word.size()), word.data());
   };
-  const WordList lists[] = {kSectionWords, kLightWords, kStepWords, kGroupWords, kCountWords};
+  const WordList lists[] = {kSectionWords,     kLightWords,    kStepWords, kGroupWords,
+                            kCountWords,       kNodeStepWords, kNodeWords, kShapeTypes,
+                            kNodeSectionWords, kLightTypes};
   for (const WordList& list : lists) std::for_each(list.begin(), list.end(), print);
   for (const Field& field : kFields) print(field.name);
 }

@@ -361,3 +361,25 @@ TEST("a ray that starts with bounces used up or little weight ends sooner") {
   CHECK_EQUAL(tracer.traceRay(ray, 0, 3, 1, 1, b).r(), 0.5f);
   CHECK_EQUAL(tracer.traceRay(ray, 0, 0, 0.25f, 1, c).r(), 0.75f);
 }
+
+TEST("blended glass refracts by the index that the ray carries, and sends 1 - R of what it sees") {
+  const SceneParser scene = parse(
+      "Background { color 0 0 0 ambientLight 1 1 1 }"
+      "Materials { numMaterials 2 Material { diffuseColor 0 0 0 transparentColor 1 1 1"
+      "  indexOfRefraction 2 } Material { diffuseColor 1 0 0 } }"
+      "Group { numObjects 2 MaterialIndex 0 Plane { normal 0 1 0 offset 0 }"
+      "  MaterialIndex 1 Sphere { center 3 -3 0 radius 0.5 } }");
+  RenderOptions options = bouncing(1);
+  options.blendsGlass = true;
+  const RayTracer tracer(scene, *scene.getGroup(), options);
+  const auto redOf = [&](float index) {
+    Ray ray({-3, 3, 0}, normalize(Vec3d(1, -1, 0)));
+    Hit hit;
+    return double(tracer.traceRay(ray, 0, 0, 1, index, hit).r());
+  };
+  // From index 2 into 2 it goes straight on, to the ball. R0 = (1 / 3)^2 and c = cos 45 degrees.
+  const double rise = std::pow(1 - std::sqrt(0.5), 5);
+  CHECK_NEAR(redOf(2), 1 - (1 / 9.0 + 8 / 9.0 * rise), 1e-6);
+  // From index 1 it is bent away from the ball.
+  CHECK_NEAR(redOf(1), 0, 0);
+}
