@@ -81,6 +81,12 @@ class Hit {
     hit.normal_ = normal;
     return hit;
   }
+  /// The same hit at another place of the texture.
+  Hit withTexturePlace(const Vec2d& place) const {
+    Hit hit = *this;
+    hit.primitive_.texturePlace = place;
+    return hit;
+  }
 
  private:
   double t_ = std::numeric_limits<double>::infinity();

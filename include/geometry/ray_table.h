@@ -93,14 +93,22 @@ struct HitTable {
   double* magnitude;          ///< as magnitudeOf gives it
   double* normal[3];          ///< unit
   double* point[3];
-  Vec2d* texturePlace;  ///< where hasTexturePlace(); else it is anything
+  Vec2d* texturePlace;            ///< where the object has texture places; else it is anything
+  bool hasTexturePlaces = false;  ///< whether any row has one other than (0, 0)
 
   /// Columns for `rows` rows, in which nothing is found.
   HitTable(Arena& arena, int rows);
 
   bool isFound(int row) const { return order[row] != NearestSoFar::kNothing; }
   /// Of a row where something is found.
-  bool hasTexturePlace(int row) const { return object[row] && object[row]->hasTexturePlaces(); }
+  Vec2d texturePlaceOf(int row) const {
+    const bool isThere = hasTexturePlaces && object[row] && object[row]->hasTexturePlaces();
+    return isThere ? texturePlace[row] : Vec2d();
+  }
+  void setTexturePlace(int row, const Vec2d& place) {
+    texturePlace[row] = place;
+    hasTexturePlaces |= place.x() != 0 || place.y() != 0;
+  }
   /// Row `row` as a Hit, `t` being the ray's tmax; Hit(t) where nothing is found.
   Hit hitOf(int row, double t) const;
   /// Takes all of a hit but its t.

@@ -254,13 +254,15 @@ bool AskedMesh::takesPlace(LeafPrimitive& face) const {
   return copies != nullptr;
 }
 
-void AskedMesh::shade(const RowList& rows, const HitTable& hits) const {
+void AskedMesh::shade(const RowList& rows, HitTable& hits) const {
   const MeshGeometry& geometry = mesh_.getGeometry();
   if (geometry.getShading().isEmpty()) return;
   for (const int row : rows) {
     Vec3d normal = rowOf(hits.normal, row);
-    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, hits.texturePlace[row]);
+    Vec2d texturePlace;
+    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, texturePlace);
     setRowOf(hits.normal, row, normal);
+    hits.setTexturePlace(row, texturePlace);
   }
 }
 

@@ -30,7 +30,7 @@ class AskedMesh : public AskedTree {
   bool isOneObject() const override { return true; }
   LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
   bool takesPlace(LeafPrimitive& face) const override;
-  void shade(const RowList& rows, const HitTable& hits) const override;
+  void shade(const RowList& rows, HitTable& hits) const override;
   void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
                       CrossingVisitor& visitor) const override;
 

@@ -262,7 +262,7 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
     hits_.material[row] = found.material[k];
     hits_.object[row] = found.object[k];
     hits_.face[row] = found.face[k];
-    if (found.hasTexturePlace(k)) hits_.texturePlace[row] = found.texturePlace[k];
+    hits_.setTexturePlace(row, found.texturePlaceOf(k));
     hits_.order[row] = found.order[k];
     rowsInside[count] = std::uint16_t(k);
     rowsOutside[count++] = std::uint16_t(row);

@@ -38,7 +38,7 @@ class AskedTree {
   virtual bool takesPlace(LeafPrimitive& /*primitive*/) const { return false; }
   /// Shades hits on triangles (shadeHit), which so far have the normals of the triangles: the hits
   /// of the listed rows, which are in the space of the tree.
-  virtual void shade(const RowList& /*rows*/, const HitTable& /*hits*/) const {}
+  virtual void shade(const RowList& /*rows*/, HitTable& /*hits*/) const {}
   /// Object3D::visitCrossings of that primitive.
   virtual void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
                               CrossingVisitor& visitor) const = 0;

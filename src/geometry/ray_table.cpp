@@ -54,9 +54,9 @@ HitTable::HitTable(Arena& arena, int rows) {
 Hit HitTable::hitOf(int row, double t) const {
   Hit hit(t);
   if (!isFound(row)) return hit;
-  Primitive primitive = {object[row], face[row], magnitude[row]};
-  if (hasTexturePlace(row)) primitive.texturePlace = texturePlace[row];
-  hit.record(t, material[row], rowOf(normal, row), rowOf(point, row), primitive);
+  hit.record(t, material[row], rowOf(normal, row), rowOf(point, row),
+             {object[row], face[row], magnitude[row]});
+  if (hasTexturePlaces) hit = hit.withTexturePlace(texturePlaceOf(row));
   return hit;
 }
 
@@ -68,7 +68,7 @@ void HitTable::setRow(int row, const Hit& hit, std::uint32_t place) {
   magnitude[row] = hit.getMagnitude();
   setRowOf(normal, row, hit.getNormal());
   setRowOf(point, row, hit.getIntersectionPoint());
-  texturePlace[row] = hit.getTexturePlace();
+  setTexturePlace(row, hit.getTexturePlace());
 }
 
 void RayByRay::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const {

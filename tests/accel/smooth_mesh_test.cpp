@@ -87,9 +87,11 @@ TEST("at smooth meshes all forms of a scene find the same normals and texture pl
     rays.push_back(next);
     comparison.ask(next, 0, kInf);
   }
-  for (std::size_t first = 0; first < rays.size(); first += 500) {
-    const std::size_t last = std::min(first + 500, rays.size());
-    comparison.askBatch({rays.begin() + long(first), rays.begin() + long(last)}, 0, kInf);
+  for (const std::size_t size : {2, 3, 500}) {
+    for (std::size_t first = 0; first < rays.size(); first += size) {
+      const std::size_t last = std::min(first + size, rays.size());
+      comparison.askBatch({rays.begin() + long(first), rays.begin() + long(last)}, 0, kInf);
+    }
   }
   CHECK_EQUAL(comparison.firstFailure(), "");
   CHECK(smooth > 500 && placed > 200 && placed < smooth);
