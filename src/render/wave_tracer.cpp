@@ -293,13 +293,18 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
 void WaveTracer::addAmbient(const MaterialGroup& group, const WaveGeneration& generation,
                             const WaveSurfaces& surfaces) const {
   const Shader& shader = tracer_.shader();
-  const bool isMapped = shader.ambientMap(*group.material) != nullptr;
-  Vec3d ambient = isMapped ? Vec3d() : shader.ambient(*group.material, Hit());
-  for (int k = group.first; k < group.last; ++k) {
-    if (!shader.options().ambientBacks && rowOf(surfaces.lit, k) == Vec3d()) continue;
-    if (isMapped) ambient = shader.ambient(*group.material, generation.hitOf(surfaces.ray[k]));
-    surfaces.add(k, ambient);
+  const bool hasDarkSides = shader.options().darkBacks && !shader.options().ambientBacks;
+  const auto add = [&](const auto& ambientOf) {
+    for (int k = group.first; k < group.last; ++k) {
+      if (!hasDarkSides || rowOf(surfaces.lit, k) != Vec3d()) surfaces.add(k, ambientOf(k));
+    }
+  };
+  if (shader.ambientMap(*group.material)) {
+    return add(
+        [&](int k) { return shader.ambient(*group.material, generation.hitOf(surfaces.ray[k])); });
   }
+  const Vec3d ambient = shader.ambient(*group.material, Hit());
+  add([ambient](int) { return ambient; });
 }
 
 /// Sets where rays that leave begin to look, and which side lights see: 0 where none does.
