@@ -90,7 +90,7 @@ bool isPng(const Bytes& bytes);
 /// picture in floats from 0 to 1. Alpha (and tRNS) is dropped, gamma and other ancillary chunks are
 /// skipped. CRC-32, Adler-32, chunk order and lengths are checked; what follows IEND is ignored.
 /// Errors: an unknown critical chunk, a palette index out of range, more or less data than the
-/// picture needs; and a picture that takes more than 256 MB of memory and more than 256 times what
+/// picture needs; and a picture that takes more than 128 MB of memory and more than 256 times what
 /// it is compressed to, for deflate may expand 1032 : 1. Throws ImageError.
 Image decodePng(const Bytes& bytes, const std::string& name, FloatImage* exact = nullptr);
 

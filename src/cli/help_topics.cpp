@@ -899,7 +899,7 @@ The column given of grades.csv says whose row each is, of missing pictures too:
 
 Files that claim to hold enormous pictures are refused before memory is asked
 for: those that are too short for them, and PNG files that would take more than
-256 MB and more than 256 times their size.
+128 MB and more than 256 times their size.
 )topic"},
 
     {"limits", "how much of everything; memory; epsilon", 1 + R"(

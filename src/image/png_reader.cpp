@@ -175,7 +175,7 @@ class PngReader {
     const std::uint64_t pixels = std::uint64_t{width_} * height_;
     reader_.checkSize(width_, height_, isPossible ? pixels : 0, data_.size(), " compressed");
     // A small picture may be as dense as it likes: it costs little whatever the file says.
-    constexpr std::uint64_t kMostBytes = 1 << 28, kMostPerByte = 256;
+    constexpr std::uint64_t kMostBytes = 1 << 27, kMostPerByte = 256;
     const std::uint64_t memory = size + pixels * (isExact() ? 3 + sizeof(Vec3f) : 3);
     reader_.check(memory <= kMostBytes || memory / kMostPerByte <= data_.size(), "a picture of ",
                   width_, " x ", height_, " pixels in ", data_.size(),
