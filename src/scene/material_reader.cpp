@@ -165,8 +165,9 @@ std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, Phon
                                                words.transparent, words.reflective, words.index);
   }
   material->setDiffuseMap(words.map);
-  if (rules_.areHighlightsDimmed) material->setHighlight(Highlight::dimmed);
-  if (rules_.areHighlightsEverywhere) {
+  if (rules_.areHighlightsDimmed) {
+    material->setHighlight(Highlight::dimmed);
+  } else if (rules_.areHighlightsEverywhere && owner != "BlinnPhongMaterial") {
     material->setHighlight(Highlight::everywhere);
     haveHighlightsBehind_ |= anyPositive(words.specular);
   }
