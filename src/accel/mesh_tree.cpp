@@ -55,7 +55,7 @@ struct LocalVertices {
     return last - 1;
   }
 
-  std::uint8_t last_[128] = {};  // of each hash, counted from 1
+  std::uint8_t last_[128] = {};                        // of each hash, counted from 1
   std::uint32_t vertices_[kMost + 1] = {0xffffffffu};  // the first is none
 };
 
@@ -94,8 +94,8 @@ class MeshLeafWriter : public LeafWriter {
       }
     }
     std::fill(places + n, places + 8, places[n - 1]);
-    words[0] = leafHead(writeVertices(local, places, n, words + kFirstRow),
-                        LeafKind::meshTriangles, n, local.count);
+    words[0] = leafHead(writeVertices(local, places, n, words + kFirstRow), LeafKind::meshTriangles,
+                        n, local.count);
     std::memcpy(words + 1, places, sizeof places);
     std::copy(faces, faces + n, words + kFirstRow + 3 * local.count);
     if (isPile(items, count, n)) findings_.addPile(faces, n);
@@ -175,7 +175,7 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     Findings findings;
     const MeshLeafWriter writer(geometry, scale, findings);
     buildWideBvh(bvh_, meshItems(geometry, scale, true, pool), writer, pool);
-    exact_ = findings.isExact;
+    exact_ = findings.isExact && !geometry.isFar();
     if (findings.piled.size() < kPilesThatPay) return;
     BuildItems items = meshItems(geometry, scale, false, pool);
     copies_ = dropCopies(geometry, findings.piled, items);
@@ -212,7 +212,7 @@ MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) co
   for (int k = 0; k < 9; ++k) {
     float value;
     std::memcpy(&value, words + kFirstRow + k % 3 * n + placeOf(places, k / 3), sizeof value);
-    v[k] = bvh_.anchor[k % 3] + value * unscale;
+    v[k] = value * unscale;
   }
   return {Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8]), face};
 }

@@ -40,7 +40,8 @@ class MeshTree {
   const MeshGeometry* geometry_;  // not owned
   WideBvh bvh_;
   std::vector<FaceCopies> copies_;  // by face
-  bool exact_ = true;               // scaling lost no digit, so leaves hold the corners exactly
+  bool exact_ = true;               // scaling lost no digit, so leaves hold the corners exactly; and
+                                    // the anchor is 0
 };
 
 }  // namespace accel

@@ -293,18 +293,21 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
 void WaveTracer::addAmbient(const MaterialGroup& group, const WaveGeneration& generation,
                             const WaveSurfaces& surfaces) const {
   const Shader& shader = tracer_.shader();
+  const bool isMapped = shader.ambientMap(*group.material) != nullptr;
   const bool hasDarkSides = shader.options().darkBacks && !shader.options().ambientBacks;
-  const auto add = [&](const auto& ambientOf) {
-    for (int k = group.first; k < group.last; ++k) {
-      if (!hasDarkSides || rowOf(surfaces.lit, k) != Vec3d()) surfaces.add(k, ambientOf(k));
+  Vec3d ambient = isMapped ? Vec3d() : shader.ambient(*group.material, Hit());
+  if (!isMapped && !hasDarkSides) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double *const sum = surfaces.sum[axis], added = ambient[axis];
+      for (int k = group.first; k < group.last; ++k) sum[k] += added;
     }
-  };
-  if (shader.ambientMap(*group.material)) {
-    return add(
-        [&](int k) { return shader.ambient(*group.material, generation.hitOf(surfaces.ray[k])); });
+    return;
   }
-  const Vec3d ambient = shader.ambient(*group.material, Hit());
-  add([ambient](int) { return ambient; });
+  for (int k = group.first; k < group.last; ++k) {
+    if (hasDarkSides && rowOf(surfaces.lit, k) == Vec3d()) continue;
+    if (isMapped) ambient = shader.ambient(*group.material, generation.hitOf(surfaces.ray[k]));
+    surfaces.add(k, ambient);
+  }
 }
 
 /// Sets where rays that leave begin to look, and which side lights see: 0 where none does.
