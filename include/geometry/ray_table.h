@@ -2,6 +2,7 @@
 // A column holds one number of every ray, so that vectors of several rays are loaded and stored as
 // they lie in memory. Columns are an Arena's, which the tables do not own.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -93,8 +94,9 @@ struct HitTable {
   double* magnitude;          ///< as magnitudeOf gives it
   double* normal[3];          ///< unit
   double* point[3];
-  Vec2d* texturePlace;            ///< where the object has texture places; else it is anything
-  bool hasTexturePlaces = false;  ///< whether any row has one other than (0, 0)
+  Vec2d* texturePlace;            ///< of objects that have texture places; anything, unless
+  bool hasTexturePlaces = false;  ///< any row has been given one other than (0, 0)
+  int rowCount;                   ///< for which there is room
 
   /// Columns for `rows` rows, in which nothing is found.
   HitTable(Arena& arena, int rows);
@@ -106,8 +108,12 @@ struct HitTable {
     return isThere ? texturePlace[row] : Vec2d();
   }
   void setTexturePlace(int row, const Vec2d& place) {
+    if (!hasTexturePlaces) {
+      if (place.x() == 0 && place.y() == 0) return;
+      std::fill(texturePlace, texturePlace + rowCount, Vec2d());
+      hasTexturePlaces = true;
+    }
     texturePlace[row] = place;
-    hasTexturePlaces |= place.x() != 0 || place.y() != 0;
   }
   /// Row `row` as a Hit, `t` being the ray's tmax; Hit(t) where nothing is found.
   Hit hitOf(int row, double t) const;

@@ -37,7 +37,7 @@ void RayTable::setRow(int row, const Ray& ray, double least, double most) {
   sourceFace[row] = ray.getSourceFace();
 }
 
-HitTable::HitTable(Arena& arena, int rows) {
+HitTable::HitTable(Arena& arena, int rows) : rowCount(rows) {
   const auto size = std::size_t(rows);
   material = arena.take<const Material*>(size);
   object = arena.take<const Object3D*>(size);
