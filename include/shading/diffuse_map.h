@@ -11,8 +11,8 @@
 class DiffuseMap {
  public:
   virtual ~DiffuseMap() = default;
-  /// RGB factors at the place that was hit, always finite.
-  virtual Vec3d colorAt(const Hit& hit) const = 0;
+  /// RGB factors at the place that was hit, always finite; `plain` where the map has none there.
+  virtual Vec3d colorAt(const Hit& hit, const Vec3f& plain) const = 0;
 };
 
 /// A picture that is laid over a surface by the surface's own coordinates u, to the right, and v,
@@ -27,8 +27,8 @@ class ImageTexture : public DiffuseMap {
   /// four pixels around, by weights that fall evenly with the distance on each axis. Beyond the
   /// outermost pixels, these go on; a coordinate that is NaN counts as 0.
   Vec3d colorAt(double u, double v) const;
-  /// At the hit's texture place.
-  Vec3d colorAt(const Hit& hit) const override;
+  /// At the hit's texture place; `plain` where the object has no texture places.
+  Vec3d colorAt(const Hit& hit, const Vec3f& plain) const override;
 
   /// Of memory.
   std::size_t byteCount() const {
@@ -53,7 +53,7 @@ class NoiseMap : public DiffuseMap {
         frequency_(frequency),
         amplitude_(amplitude) {}
 
-  Vec3d colorAt(const Hit& hit) const override;
+  Vec3d colorAt(const Hit& hit, const Vec3f& plain) const override;
 
  private:
   Vec3d first_, second_;

@@ -140,8 +140,9 @@ void setWeight(Words words, Draft& draft) {
 
 /// Without -epsilon its kind stays automatic.
 void setEpsilon(Words words, Draft& draft) {
-  Epsilon& epsilon = draft.render.picture.render.epsilon;
-  epsilon = {Epsilon::Kind::fixed, Epsilon::kCourse};
+  PictureRequest& picture = draft.render.picture;
+  Epsilon& epsilon = picture.render.epsilon;
+  epsilon = {Epsilon::Kind::fixed, picture.course->render.epsilon.value};
   if (words[0] == "adaptive") epsilon.kind = Epsilon::Kind::adaptive;
   if (words[0] == "adaptive" || words[0] == "course") return;
   if (!readDouble(words[0], epsilon.value) || epsilon.value < 0) {

@@ -46,10 +46,10 @@ Tracing:
                          0.01)
   -epsilon E             how far from its origin a secondary or shadow ray
                          starts looking: a number of at least 0; course, which
-                         is 0.001; or adaptive, from the size of the numbers at
-                         the hit (default: course where the bounded objects
-                         together span 1 to 1000 units and no glass is thinner
-                         than that, else adaptive)
+                         is 0.001 (0.01 in 2016 and 2020); or adaptive, from the
+                         size of the numbers at the hit (default: course where
+                         the bounded objects together span 1 to 1000 units and
+                         no glass is thinner than that, else adaptive)
 
 Samples in a pixel:
   -random_samples N      N rays at random places in each pixel, 1 to 65536

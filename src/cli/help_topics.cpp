@@ -291,13 +291,15 @@ FROM 2012 ON
   no ending     .bmp         .png         .png         .bmp         .png
 
   (a) 2012 is ray tracing, its assignment 5, where a material of the scene has a
-      refractionIndex, or -bounces is given and above 0; else ray casting, its
-      assignment 4. Ray tracing has no highlights: a specularColor longer than
-      0.001 is the colour of a mirror; -bounces is 4. Glass sends R of it from
-      the mirrored ray and 1 - R from the refracted one, R = R0 + (1 - R0)
-      (1 - c)^5, R0 = ((n - 1) / (n + 1))^2, n being the index behind the
-      surface, c the cosine outside. Ambient light meets diffuseColor, whatever
-      texture or Noise there is.
+      refractionIndex other than 0, or -bounces is given and above 0; else ray
+      casting, its assignment 4. Ray tracing has no highlights: a specularColor
+      longer than 0.001 is the colour of a mirror; -bounces is 4. Glass sends R
+      of it from the mirrored ray and 1 - R from the refracted one, R = R0 +
+      (1 - R0) (1 - c)^5, R0 = ((n - 1) / (n + 1))^2, n being the index behind
+      the surface, c the cosine outside; a ray's index is that of the medium it
+      is in. Ambient light meets diffuseColor, whatever texture or Noise there
+      is. Here and in 2016 a reflectiveColor, where it is given, comes before
+      the specularColor.
   (b) The angle spans the height; in a stretched picture it spans both sides.
   (c) Of lights behind the surface too: (r.l)^shininess, 0 where r.l < 0, but 1
       everywhere where shininess is 0.

@@ -57,7 +57,8 @@ Vec3d Shader::ambient(const Surface& s) const {
 
 Vec3d Shader::ambient(const Material& material, const Hit& hit) const {
   const DiffuseMap* const map = ambientMap(material);
-  const Vec3d diffuse = map ? map->colorAt(hit) : Vec3d(material.getDiffuseColor());
+  const Vec3f plain = material.getDiffuseColor();
+  const Vec3d diffuse = map ? map->colorAt(hit, plain) : Vec3d(plain);
   return Vec3d(scene_->getAmbientLight()) * diffuse;
 }
 

@@ -81,6 +81,15 @@ std::vector<std::string_view> Fields::names() const {
   return names;
 }
 
+Languages Fields::languagesOf(std::string_view name) const {
+  Languages languages = 0;
+  for (const Field& field : kFields) {
+    const auto isOfBlock = [&](const Value& value) { return value.field->block == field.block; };
+    if (field.name == name && std::any_of(begin(), end(), isOfBlock)) languages |= field.languages;
+  }
+  return languages;
+}
+
 // Values.
 
 bool FieldReader::readNumbers(std::string_view what, double* values, std::size_t count,
@@ -199,6 +208,8 @@ bool FieldReader::readOpenFields(std::string_view owner, const char* start, Fiel
     if (Value* const value = fields.find(word_, next); value != fields.end()) {
       readField(*value, readOwn);
       next = value + 1;
+    } else if (const Languages languages = fields.languagesOf(word_)) {
+      skipUnknown(owner, fields.names(), languages);
     } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, fields))) {
       closeBlock(owner);
       return false;

@@ -50,6 +50,8 @@ class Fields {
   /// looked at first: the one behind the last that was found, as most blocks are in this order.
   Value* find(std::string_view word, Value* next);
   std::vector<std::string_view> names() const;
+  /// The languages in which the block has a field of that name.
+  Languages languagesOf(std::string_view name) const;
 
   Value* begin() { return values_.data(); }
   Value* end() { return values_.data() + count_; }
@@ -126,7 +128,8 @@ class FieldReader {
   void skipWordAndBlock();
   /// Reports a word that `owner` does not know, and passes over it and what belongs to it. True
   /// where that was a whole block in braces.
-  bool skipUnknown(std::string_view owner, WordList allowed);
+  /// `languages`, where not 0, are those in which the block has such a field.
+  bool skipUnknown(std::string_view owner, WordList allowed, Languages languages = 0);
 
   // Values: field_reader.cpp. Each function reports what is wrong and returns false then.
 

@@ -153,7 +153,8 @@ std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, Phon
   const float exponent = words.exponent->single();
   const char* const exponentAt = words.exponent->at;
   if (exponentAt && exponent < 1 && anyPositive(words.specular)) {
-    notes_.lowExponents.emplace_back(exponentAt, in_.quotedAt(exponentAt));
+    const std::string name(words.exponent->field->name);
+    notes_.lowExponents.emplace_back(exponentAt, name + " " + in_.quotedAt(exponentAt));
   }
   if (!rules_.haveHighlights) words.specular = Vec3f();
   std::unique_ptr<PhongMaterial> material;

@@ -49,8 +49,7 @@ Languages languagesOf(std::string_view word) {
 }
 
 /// "shininess is a word of 2012, 2016 and thu: add -course 2012" for a word of other languages.
-std::string otherCourses(std::string_view word, Language language) {
-  const Languages languages = languagesOf(word);
+std::string otherCourses(std::string_view word, Languages languages, Language language) {
   if (languages == 0 || isIn(languages, language)) return {};
   std::vector<std::string_view> names;
   for (const auto& [other, name] : kLanguageNames) {
@@ -152,10 +151,12 @@ void FieldReader::skipWordAndBlock() {
   if (isAt('{')) skipBlock();
 }
 
-bool FieldReader::skipUnknown(std::string_view owner, WordList allowed) {
+bool FieldReader::skipUnknown(std::string_view owner, WordList allowed, Languages languages) {
   const std::string where = " in " + std::string(owner);
   const std::string_view meant = nearestWord(word_, allowed);
-  const std::string others = otherCourses(word_, language_);
+  const Languages known = languagesOf(word_);
+  const bool isKnown = languages != 0 && isIn(known, language_);  // in other blocks
+  const std::string others = otherCourses(word_, isKnown ? languages : known, language_);
   if (!others.empty()) {
     report(at(), "unknown word " + found() + where + "; " + others);
   } else if (isNumber(word_)) {

@@ -237,8 +237,7 @@ void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brigh
     return Note(color.first, color.second + " is above 1 in a component");
   });
   warnOfSome(lowExponents, "exponents below 1", [](const Note& exponent) {
-    return Note(exponent.first,
-                "exponent " + exponent.second + " is below 1: its highlight fills the lit side");
+    return Note(exponent.first, exponent.second + " is below 1: its highlight fills the lit side");
   });
   warnOfUnusedMaterials();
   warnOfDarkLights(scene);

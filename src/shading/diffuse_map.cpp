@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/object3d.h"
 #include "math/functions.h"
 #include "math/perlin_noise.h"
 
@@ -44,12 +45,13 @@ Vec3d ImageTexture::colorAt(double u, double v) const {
   return mixed(colorIn(rows.first), colorIn(rows.second), rows.share) / 255;
 }
 
-Vec3d ImageTexture::colorAt(const Hit& hit) const {
+Vec3d ImageTexture::colorAt(const Hit& hit, const Vec3f& plain) const {
+  if (!hit.getObject() || !hit.getObject()->hasTexturePlaces()) return plain;
   const Vec2d place = hit.getTexturePlace();
   return colorAt(place.x(), place.y());
 }
 
-Vec3d NoiseMap::colorAt(const Hit& hit) const {
+Vec3d NoiseMap::colorAt(const Hit& hit, const Vec3f& /*plain*/) const {
   const Vec3d& p = hit.getIntersectionPoint();
   const double angle = frequency_ * p.x() + amplitude_ * math::fractalNoise(p, octaves_);
   const double wave = (1 + math::sin(angle)) / 2;

@@ -12,10 +12,10 @@ Vec3f PhongMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLig
                            const Vec3f& lightColor) const {
   const Vec3d &v = ray.getDirection(), &n = hit.getNormal(), l = dirToLight;
   const double c = highlightCosine(v, n, l);
-  const Vec3d diffuse = diffuseMap_ ? diffuseMap_->colorAt(hit) : Vec3d(getDiffuseColor());
+  const Vec3d diffuse =
+      diffuseMap_ ? diffuseMap_->colorAt(hit, getDiffuseColor()) : Vec3d(getDiffuseColor());
   return Vec3f(phong_light::reflectedLight(n, l, c, Vec3d(lightColor), diffuse,
-                                           Vec3d(specularColor_), double(exponent_),
-                                           highlight_));
+                                           Vec3d(specularColor_), double(exponent_), highlight_));
 }
 
 double PhongMaterial::highlightCosine(const Vec3d& v, const Vec3d& n, const Vec3d& l) const {

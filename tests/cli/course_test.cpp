@@ -132,6 +132,11 @@ TEST("the later courses bring their defaults") {
   }
 }
 
+TEST("-epsilon course is that of the course") {
+  CHECK_EQUAL(optionsOf("-epsilon course").epsilon.value, 0.001);
+  CHECK_EQUAL(optionsOf("-course 2016 -epsilon adaptive -epsilon course").epsilon.value, 0.01);
+}
+
 TEST("2012 is ray tracing where -bounces says more than 0, or the scene has glass") {
   const auto isTracing = [](const std::string& words) { return optionsOf(words).blendsGlass; };
   CHECK(!isTracing("-course 2012") && !isTracing("-course 2012 -bounces 0"));

@@ -155,7 +155,8 @@ void apply(int formula, const Matrix& matrix, const Number* in, Number* out) {
     case 18:
       t = formula == 17 ? phong_light::mirroredCosine(u, v, w)
                         : phong_light::halfwayCosine(u, v, w);
-      put(phong_light::reflectedLight(v, w, t, x, y, Vector(in[16], in[17], in[18]), in[19], false),
+      put(phong_light::reflectedLight(v, w, t, x, y, Vector(in[16], in[17], in[18]), in[19],
+                                      phong_light::Highlight::lit),
           out);
       break;
     case 19:

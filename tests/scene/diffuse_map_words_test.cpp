@@ -68,7 +68,7 @@ TEST("a material's texture is a picture in place of its diffuse colour") {
   const SceneParser scene = parse(material("texture " + Pictures::name() + "/a.png"), kOf2012Rules);
   const DiffuseMap* const map = scene.getMaterial(0)->getDiffuseMap();
   CHECK(map != nullptr);
-  CHECK_EQUAL(map->colorAt(Hit()), Vec3d(0, 1, 0));
+  CHECK_EQUAL(dynamic_cast<const ImageTexture&>(*map).colorAt(0, 0), Vec3d(0, 1, 0));
   CHECK_EQUAL(scene.getMaterial(0)->getDiffuseColor(), Vec3f(1, 0, 0));
   CHECK_EQUAL(scene.getPictureBytes(), std::size_t(3));
   CHECK_EQUAL(scene.getInputFiles().size(), std::size_t(1));
@@ -90,7 +90,7 @@ TEST("a material's noise is of two colours, the first one where the sine is high
   const auto colorAt = [&](double x) {
     Hit hit;
     hit.record(1, nullptr, {0, 0, 1}, {x, 7, 8}, {});
-    return map.colorAt(hit);
+    return map.colorAt(hit, Vec3f());
   };
   // Without octaves the sine is that of 2 x.
   CHECK_NEAR_VECTOR(colorAt(math::radians(45)), Vec3d(1, 0, 0.5), 1e-15);

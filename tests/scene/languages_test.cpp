@@ -98,6 +98,16 @@ TEST("a word of other years is a mistake that names the courses that have it") {
       "2016 and 2020: add -course 2003");
 }
 
+TEST("Noise in a material of another year, and 2003's words among nodes, name the course too") {
+  const std::string noise = "Noise { color 1 1 1 color 0 0 0 octaves 1 frequency 1 amplitude 1 }";
+  CHECK(
+      contains(mistakeOf(kCamera + materials(noise)),
+               "unknown word 'Noise' in PhongMaterial; Noise is a word of 2012: add -course 2012"));
+  CHECK(contains(
+      mistakeOf("Materials { Material { diffuseColor 1 1 1 } }", rulesOf(Language::of2020)),
+      "diffuseColor is a word of 2003, 2012, 2016 and thu: add -course 2003"));
+}
+
 TEST("a slip of a word is still guessed, and a word in the wrong place not called another year's") {
   CHECK(contains(mistakeOf(kCamera + materials("exponnent 2")), "did you mean 'exponent'?"));
   CHECK(!contains(mistakeOf(kCamera + materials("Background")), "-course"));

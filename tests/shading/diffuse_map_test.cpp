@@ -31,7 +31,7 @@ Hit hitAt(const Vec3d& point, const Material* material = nullptr) {
 /// Always the same, so that what is made of it can be told.
 class OneColor : public DiffuseMap {
  public:
-  Vec3d colorAt(const Hit& hit) const override { return hit.getIntersectionPoint(); }
+  Vec3d colorAt(const Hit& hit, const Vec3f&) const override { return hit.getIntersectionPoint(); }
 };
 
 }  // namespace
@@ -89,7 +89,8 @@ TEST("noise mixes two colours in waves across the x axis") {
   for (const Vec3d p : {Vec3d(0.3, -1.2, 2.5), Vec3d(-4.4, 0.7, 0.1), Vec3d(7.25, 3, -2.6)}) {
     const double n = math::noise(p) + math::noise(p * 2) / 2 + math::noise(p * 4) / 4;
     const double w = (1 + math::sin(5 * p.x() + 2.5 * n)) / 2;
-    CHECK_NEAR_VECTOR(map.colorAt(hitAt(p)), Vec3d(first) * w + Vec3d(second) * (1 - w), 1e-12);
+    CHECK_NEAR_VECTOR(map.colorAt(hitAt(p), Vec3f()), Vec3d(first) * w + Vec3d(second) * (1 - w),
+                      1e-12);
     least = std::min(least, w);
     most = std::max(most, w);
   }
@@ -99,14 +100,14 @@ TEST("noise mixes two colours in waves across the x axis") {
 TEST("without octaves noise is a plain sine: all of the first colour at its top") {
   const NoiseMap map({1, 0, 0}, {0, 1, 0}, 0, 1, 9);
   const double quarter = math::radians(90);
-  CHECK_NEAR_VECTOR(map.colorAt(hitAt({quarter, 5, 5})), kRed, 1e-15);
-  CHECK_NEAR_VECTOR(map.colorAt(hitAt({-quarter, 5, 5})), kGreen, 1e-15);
-  CHECK_EQUAL(map.colorAt(hitAt({0, 5, 5})), Vec3d(0.5, 0.5, 0));
+  CHECK_NEAR_VECTOR(map.colorAt(hitAt({quarter, 5, 5}), Vec3f()), kRed, 1e-15);
+  CHECK_NEAR_VECTOR(map.colorAt(hitAt({-quarter, 5, 5}), Vec3f()), kGreen, 1e-15);
+  CHECK_EQUAL(map.colorAt(hitAt({0, 5, 5}), Vec3f()), Vec3d(0.5, 0.5, 0));
 }
 
 TEST("where noise has no angle there is only the second colour") {
   const NoiseMap map({1, 0, 0}, {0, 1, 0}, 2, 1e300, 1);
-  CHECK_EQUAL(map.colorAt(hitAt({1e300, 0, 0})), kGreen);
+  CHECK_EQUAL(map.colorAt(hitAt({1e300, 0, 0}), Vec3f()), kGreen);
 }
 
 TEST("a map takes the place of a material's diffuse colour, and of nothing else") {
@@ -127,4 +128,10 @@ TEST("a map takes the place of a material's diffuse colour, and of nothing else"
         PhongMaterial(Vec3f(place), specular, 7, {}, {}, 1));
   check(BlinnPhongMaterial({1, 1, 0}, specular, 7, {}, {}, 1),
         BlinnPhongMaterial(Vec3f(place), specular, 7, {}, {}, 1));
+}
+
+TEST("where an object has no texture places, a picture leaves the plain colour") {
+  const ImageTexture texture = fourPixels();
+  const DiffuseMap& map = texture;
+  CHECK_EQUAL(map.colorAt(hitAt({1, 2, 3}), Vec3f(0.5f, 0.25f, 0)), Vec3d(0.5, 0.25, 0));
 }
