@@ -103,6 +103,7 @@ std::unique_ptr<Material> MaterialReader::read() {
   return material;
 }
 
+/// A Material of 2020, from behind its name: the same with shorter words.
 std::unique_ptr<Material> MaterialReader::readNodeMaterial(std::string_view owner) {
   Fields fields(in_.language(), {"node material"});
   in_.readFields(owner, fields);
@@ -136,6 +137,8 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
         own.distribution == 0 ? Distribution::ggx : Distribution::beckmann, transparent, reflective,
         index);
   }
+  // Where the rules say so, the specular colour is that of mirror and glass too; what the scene
+  // itself says of these comes before it.
   PhongWords words = {diffuse, specular, transparent, reflective, index};
   words.exponent = &fields[fields.has("shininess") ? "shininess" : "exponent"];
   words.map = mapOf(fields, std::move(own.noise));
@@ -148,6 +151,7 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
   return makePhong(owner, words);
 }
 
+/// The kind of material, and the kind of highlight, that the rules ask for.
 std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, PhongWords& words) {
   using Highlight = PhongMaterial::Highlight;
   const float exponent = words.exponent->single();

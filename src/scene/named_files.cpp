@@ -1,4 +1,9 @@
 // NamedFiles: from a name in a scene to a file that has been read.
+//
+// A name is looked for beside the scene, then from the current folder, and at last, without its own
+// folders, beside the scene again: scenes that were moved keep working. The first file that is
+// there and can be read is taken; what was found out is kept, by name, so that a million objects
+// with one mesh look for it once, and a missing one is told once.
 #include "scene/named_files.h"
 
 #include <algorithm>
@@ -13,6 +18,7 @@ constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longe
 
 }  // namespace
 
+/// In quotes, \" stands for a quote.
 std::string unquoted(std::string_view name) {
   if (name.size() < 2 || name[0] != '"') return std::string(name);
   std::string text;
@@ -50,6 +56,7 @@ void NamedFiles::report(const char* at, const std::string& message) const {
            InputError(scene_.name(), scene_.lineAt(at), message));
 }
 
+/// The path without links by which the file is known, or "" after a report of all that was tried.
 std::string NamedFiles::locate(std::string_view name, const char* at, const Reader& read) const {
   std::string tried;
   for (const std::string& path : candidates(name)) {
@@ -66,6 +73,7 @@ std::string NamedFiles::locate(std::string_view name, const char* at, const Read
   return {};
 }
 
+/// In the order in which they are tried, each once. Scenes from Windows have backslashes.
 std::vector<std::string> NamedFiles::candidates(std::string_view name) const {
   if (name.size() > kLongestPath || name.find('\0') != std::string_view::npos) return {};
   std::string text = unquoted(name);

@@ -7,6 +7,7 @@
 #include "geometry/transform.h"
 #include "scene/scene_reader.h"
 
+/// What the node changes for those in it, its Transform and material, is undone behind it.
 const Object3D* NodeReader::read() {
   const std::string_view owner = in_.word();
   if (depth_ == ObjectReader::kMaxNesting) {
@@ -39,6 +40,7 @@ const Object3D* NodeReader::read() {
   return object;
 }
 
+/// One thing in a node; each ends behind its own braces.
 void NodeReader::readItem(Contents& contents) {
   const std::string_view word = in_.word();
   const Object3D* object = nullptr;
@@ -59,6 +61,7 @@ void NodeReader::readItem(Contents& contents) {
   contents.isEmpty = false;
 }
 
+/// Its product takes what is in the node to the space around it.
 void NodeReader::readTransform(Contents& contents) {
   const char* const at = in_.at();
   if (!contents.isEmpty) in_.report(at, "Transform must come first in its Node");
@@ -91,6 +94,7 @@ bool NodeReader::openComponent(WordList types, std::size_t& type) {
   return false;
 }
 
+/// The fields of a type are those of the block that 2003 has for such a shape.
 const Object3D* NodeReader::readObject() {
   const char* const at = in_.at();
   const Material* const material = materials_.materialFor("Component<Object>", at);
@@ -106,6 +110,7 @@ const Object3D* NodeReader::readObject() {
   return object;
 }
 
+/// Lights keep their places in the world: a node that is read cannot move any more.
 void NodeReader::readLight() {
   const char* const at = in_.at();
   std::size_t type = 0;

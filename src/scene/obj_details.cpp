@@ -1,5 +1,11 @@
 // ObjDetailReader: reads the words of a face once more, after the reader of vertices, which is made
 // for speed and so knows nothing of this.
+//
+// A corner is a vertex, its texture coordinates and its normal, as in 3/1/2 or 3//2: what stands
+// behind so many slashes is the reference that is wanted. Indices count from 1, or backwards from
+// -1, the last one before the face; a forward reference may be to one that comes later, so all are
+// counted first. A face of more than three corners gives a fan here; where its outline is cut
+// otherwise, the cut takes these references along.
 #include "scene/obj_details.h"
 
 #include <algorithm>
@@ -44,6 +50,7 @@ ObjDetailReader::ObjDetailReader(std::string_view statements, const ObjDetails& 
       coordinateCount_(wanted.coordinates ? countObjStatements(statements, "vt") : 0),
       normalCount_(wanted.normals ? countObjStatements(statements, "vn") : 0) {}
 
+/// A vt or vn; any other statement is no business of this reader.
 void ObjDetailReader::readStatement(const char* start) {
   if (wanted_.coordinates && words_.isStatement(kObjCoordinates.statement, start)) {
     const Vec3f numbers = readNumbers(kObjCoordinates, start);
@@ -99,6 +106,7 @@ void ObjDetailReader::addReferences(const ObjElement& element, const Defined& de
 /// The number, from 0 on, of the element that a corner refers to; kNone where it refers to none.
 std::uint32_t ObjDetailReader::referenceIn(std::string_view word, const ObjElement& element,
                                            const Defined& defined) {
+  // What stands behind the last of its slashes, or nothing where there are fewer.
   std::string_view reference = word;
   for (int slash = 0; slash < element.slashes; ++slash) {
     reference.remove_prefix(std::min(reference.find('/'), reference.size() - 1) + 1);

@@ -65,6 +65,7 @@ void SceneReader::readSection() {
   }
 }
 
+/// A section of 2020, where objects and lights stand in one Scene of nodes.
 void SceneReader::readNodeSection() {
   const std::string_view word = in_.word();
   if (!isOneOf(word, kNodeSectionWords)) return readMisplaced();
@@ -206,11 +207,13 @@ void SceneReader::finish() {
     notes_.warn(lightsAt_ ? lightsAt_ : in_.text().bytes().data(),
                 "the scene has no lights: it is shown in white ambient light");
   }
+  // What is legal, and leaves nothing to be seen.
   if (!hasGroup_) {
     notes_.warn(in_.at(), in_.language() == Language::of2020
                               ? "the scene has no Scene: nothing will be seen"
                               : "the scene has no Group: nothing will be seen");
   }
+  // What the parts of the scene have found out.
   scene_.inputFiles_ = meshes_.files().paths();
   for (std::string& path : pictures_.files().paths()) {
     scene_.inputFiles_.push_back(std::move(path));
@@ -224,6 +227,7 @@ void SceneReader::finish() {
     return std::string(repeat.name) + " is given a second time, first in line " +
            std::to_string(in_.text().lineAt(repeat.before)) + "; the last one holds";
   };
+  // For -check a field that is given twice is a mistake, else worth a warning.
   if (in_.isChecking()) {
     for (const auto& repeat : in_.repeats()) in_.report(repeat.at, repeatText(repeat));
   } else {
@@ -231,6 +235,7 @@ void SceneReader::finish() {
       return FieldReader::Note(repeat.at, repeatText(repeat));
     });
   }
+  // Only of a whole scene can be said what is probably meant otherwise.
   if (in_.mistakeCount() == 0) {
     notes_.review(scene_, in_.brightColors());
     const bool hasGlass =
