@@ -1,4 +1,4 @@
-// ObjectTree: asking the members, and sorting them into the tree first.
+// ObjectTree: sorting the members into the tree. What it answers afterwards is in asked_objects.cpp.
 //
 //   1. Each member gets its box: a mesh that of its tree, a Transform the box of the moved corners
 //      of its inside's box. Without a box, or with numbers whose squares leave the range of double,
@@ -243,81 +243,7 @@ double farOut(const Vec3d& middle, const std::vector<BoxedMember>& boxed) {
 
 }  // namespace
 
-LeafPrimitive AskedMesh::primitiveAt(const std::uint32_t* words, int lane) const {
-  const MeshTree::Triangle t = tree_.triangleAt(words, lane);
-  return {&mesh_, mesh_.getMaterial(), order_, t.face, false, t.a, t.b, t.c};
-}
-
-bool AskedMesh::takesPlace(LeafPrimitive& face) const {
-  const FaceCopies* copies = tree_.copiesOf(face.face);
-  if (copies) face.face = copies->next;
-  return copies != nullptr;
-}
-
-void AskedMesh::shade(const RowList& rows, HitTable& hits) const {
-  const MeshGeometry& geometry = mesh_.getGeometry();
-  if (geometry.getShading().isEmpty()) return;
-  for (const int row : rows) {
-    Vec3d normal = rowOf(hits.normal, row);
-    Vec2d texturePlace;
-    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, texturePlace);
-    setRowOf(hits.normal, row, normal);
-    hits.setTexturePlace(row, texturePlace);
-  }
-}
-
-void AskedMesh::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                               CrossingVisitor& visitor) const {
-  const std::uint32_t face = MeshTree::faceAt(words, lane);
-  const FaceCopies* copies = tree_.copiesOf(face);
-  mesh_.visitFace(face, ray, visitor, copies ? copies->count : 1);
-}
-
-const TreeMember& ObjectTree::memberAt(const std::uint32_t* words, int lane) const {
-  const int n = countOf(*words);
-  return members_[words[1 + rowsOf(kindOf(*words)) * n + lane] & ~kIdBit];
-}
-
-LeafPrimitive ObjectTree::primitiveAt(const std::uint32_t* words, int lane) const {
-  const TreeMember& member = memberAt(words, lane);
-  if (kindOf(*words) == LeafKind::spheres) {
-    const auto& sphere = static_cast<const Sphere&>(*member.object);
-    return {&sphere,
-            sphere.getMaterial(),
-            member.order,
-            0,
-            true,
-            sphere.getCenter(),
-            Vec3d(sphere.getRadius(), 0, 0),
-            Vec3d()};
-  }
-  const auto& triangle = static_cast<const Triangle&>(*member.object);
-  return {&triangle, triangle.getMaterial(), member.order,          0,
-          false,     triangle.getVertex(0),  triangle.getVertex(1), triangle.getVertex(2)};
-}
-
-void ObjectTree::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                                CrossingVisitor& visitor) const {
-  memberAt(words, lane).object->visitCrossings(ray, visitor);
-}
-
-void ObjectTree::ask(Question& question, const RowList& rows) const {
-  const Arena::Frame frame(question.arena());
-  RowList open = rows;
-  if (!shapes_.empty()) {
-    question.count({0, shapes_.size() * std::size_t(open.count)});
-    question.askShapes(shapes_.data(), int(shapes_.size()), open);
-    open = question.openOf(open);
-  }
-  for (const std::uint32_t id : direct_) {
-    if (members_[id].kind == TreeMember::Kind::plain) question.count({0, std::size_t(open.count)});
-    question.askMember(members_[id], open);
-    open = question.openOf(open);
-  }
-  question.askTree(*this, open);
-}
-
-/// AskedTree the member out of the tree.
+/// Asks the member out of the tree.
 void ObjectTree::askAlone(std::uint32_t id) {
   if (isShape(members_[id])) {
     shapes_.push_back(shapeOf(members_[id]));

@@ -1,0 +1,85 @@
+// AskedMesh and ObjectTree: what they answer while a tree is walked. A leaf has told that a ray may
+// hit one of its primitives, by a lane of its words; here that becomes the primitive itself, in
+// double.
+#include "accel/mesh_tree.h"
+#include "accel/object_tree.h"
+#include "geometry/sphere.h"
+#include "geometry/triangle.h"
+
+namespace accel {
+
+LeafPrimitive AskedMesh::primitiveAt(const std::uint32_t* words, int lane) const {
+  const MeshTree::Triangle t = tree_.triangleAt(words, lane);
+  return {&mesh_, mesh_.getMaterial(), order_, t.face, false, t.a, t.b, t.c};
+}
+
+bool AskedMesh::takesPlace(LeafPrimitive& face) const {
+  const FaceCopies* copies = tree_.copiesOf(face.face);
+  if (copies) face.face = copies->next;
+  return copies != nullptr;
+}
+
+void AskedMesh::shade(const RowList& rows, HitTable& hits) const {
+  const MeshGeometry& geometry = mesh_.getGeometry();
+  if (geometry.getShading().isEmpty()) return;
+  for (const int row : rows) {
+    Vec3d normal = rowOf(hits.normal, row);
+    Vec2d texturePlace;
+    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, texturePlace);
+    setRowOf(hits.normal, row, normal);
+    hits.setTexturePlace(row, texturePlace);
+  }
+}
+
+void AskedMesh::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
+                               CrossingVisitor& visitor) const {
+  const std::uint32_t face = MeshTree::faceAt(words, lane);
+  const FaceCopies* copies = tree_.copiesOf(face);
+  mesh_.visitFace(face, ray, visitor, copies ? copies->count : 1);
+}
+
+const TreeMember& ObjectTree::memberAt(const std::uint32_t* words, int lane) const {
+  const int n = countOf(*words);
+  return members_[words[1 + rowsOf(kindOf(*words)) * n + lane] & ~kIdBit];
+}
+
+LeafPrimitive ObjectTree::primitiveAt(const std::uint32_t* words, int lane) const {
+  const TreeMember& member = memberAt(words, lane);
+  if (kindOf(*words) == LeafKind::spheres) {
+    const auto& sphere = static_cast<const Sphere&>(*member.object);
+    return {&sphere,
+            sphere.getMaterial(),
+            member.order,
+            0,
+            true,
+            sphere.getCenter(),
+            Vec3d(sphere.getRadius(), 0, 0),
+            Vec3d()};
+  }
+  const auto& triangle = static_cast<const Triangle&>(*member.object);
+  return {&triangle, triangle.getMaterial(), member.order,          0,
+          false,     triangle.getVertex(0),  triangle.getVertex(1), triangle.getVertex(2)};
+}
+
+void ObjectTree::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
+                                CrossingVisitor& visitor) const {
+  memberAt(words, lane).object->visitCrossings(ray, visitor);
+}
+
+void ObjectTree::ask(Question& question, const RowList& rows) const {
+  const Arena::Frame frame(question.arena());
+  RowList open = rows;
+  if (!shapes_.empty()) {
+    question.count({0, shapes_.size() * std::size_t(open.count)});
+    question.askShapes(shapes_.data(), int(shapes_.size()), open);
+    open = question.openOf(open);
+  }
+  for (const std::uint32_t id : direct_) {
+    if (members_[id].kind == TreeMember::Kind::plain) question.count({0, std::size_t(open.count)});
+    question.askMember(members_[id], open);
+    open = question.openOf(open);
+  }
+  question.askTree(*this, open);
+}
+
+}  // namespace accel
