@@ -204,11 +204,6 @@ class Doubles {
     __builtin_memcpy(&a.v_, from, sizeof a.v_);
     return a;
   }
-  static Doubles loadFloats(const float* from) {
-    Floats floats;
-    __builtin_memcpy(&floats, from, sizeof floats);
-    return __builtin_convertvector(floats, Vector);
-  }
   /// column[rows[0]], column[rows[1]] ...
   static Doubles gather(const double* column, const std::uint16_t* rows) {
     Doubles a;
@@ -216,11 +211,6 @@ class Doubles {
     return a;
   }
   void store(double* to) const { __builtin_memcpy(to, &v_, sizeof v_); }
-  /// Rounded to nearest.
-  void storeFloats(float* to) const {
-    const Floats floats = __builtin_convertvector(v_, Floats);
-    __builtin_memcpy(to, &floats, sizeof floats);
-  }
 
   double operator[](int lane) const { return v_[lane]; }
   void set(int lane, double x) { v_[lane] = x; }

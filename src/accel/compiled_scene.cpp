@@ -56,8 +56,8 @@ RowList heldRows(const RayTable& rays, bool areHeld, Arena& arena) {
 constexpr std::uint32_t kSmallMesh = 4;
 
 Kernels kernelsOf(SimdLevel level) {
-  if (level == SimdLevel::avx512) return accel::avx512Kernels();
-  return level == SimdLevel::avx2 ? accel::avx2Kernels() : accel::baselineKernels();
+  if (level == SimdLevel::avx512) return accel::avx512::kernels();
+  return level == SimdLevel::avx2 ? accel::avx2::kernels() : accel::baseline::kernels();
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ std::size_t CompiledScene::treeBytes() const {
 
 std::string CompiledScene::describe() const {
   std::ostringstream text;
-  text << "eight-wide trees, " << trees_->kernels.name << "; " << trees_->meshTrees.size()
+  text << "eight-wide trees, " << nameOf(trees_->level) << "; " << trees_->meshTrees.size()
        << " mesh trees, " << trees_->objectTrees.size() + 1 << " spaces, " << treeBytes()
        << " bytes";
   return text.str();

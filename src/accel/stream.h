@@ -206,9 +206,8 @@ struct ShapeNumbers {
   std::uint32_t order;  ///< place in the scene
 };
 
-/// One instruction set.
+/// What is computed several rays or boxes at a time.
 struct Kernels {
-  const char* name;
   /// Fills in the rays of the list that meet the tree's box between tmin and tmax, and their count.
   void (*prepare)(Stream& stream);
   /// Walk the tree. Candidates may be left over: the caller resolves them. A proven hit
@@ -240,8 +239,15 @@ struct Kernels {
   TestTally* tally = nullptr;
 };
 
-Kernels baselineKernels();
-Kernels avx2Kernels();    // only where the processor has AVX2, FMA, BMI and BMI2
-Kernels avx512Kernels();  // only where it has AVX-512 F, VL, DQ, BW too
+/// One set of them for each SimdLevel; only for a processor that has it, see availableSimd.
+namespace baseline {
+Kernels kernels();
+}
+namespace avx2 {
+Kernels kernels();
+}
+namespace avx512 {
+Kernels kernels();
+}
 
 }  // namespace accel

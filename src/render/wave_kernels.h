@@ -65,9 +65,16 @@ struct WaveKernels {
   void (*absorb)(const ColorFilterTable& filters);
 };
 
-WaveKernels baselineWaveKernels();
-WaveKernels avx2WaveKernels();    // only where the processor has AVX2, FMA, BMI and BMI2
-WaveKernels avx512WaveKernels();  // only where it has AVX-512 F, VL, DQ, BW too
+/// One set of them for each SimdLevel; only for a processor that has it, see availableSimd.
+namespace baseline {
+WaveKernels waveKernels();
+}
+namespace avx2 {
+WaveKernels waveKernels();
+}
+namespace avx512 {
+WaveKernels waveKernels();
+}
 
 /// Those of a level that the processor has.
 const WaveKernels& waveKernels(SimdLevel level);

@@ -327,7 +327,7 @@ void WaveTracer::setSides(const WaveGeneration& generation, WaveSurfaces& surfac
 }
 
 const WaveKernels& waveKernels(SimdLevel level) {
-  static const WaveKernels kBaseline = baselineWaveKernels(), kAvx2 = avx2WaveKernels(),
-                           kAvx512 = avx512WaveKernels();
+  static const WaveKernels kBaseline = baseline::waveKernels(), kAvx2 = avx2::waveKernels(),
+                           kAvx512 = avx512::waveKernels();
   return level == SimdLevel::avx512 ? kAvx512 : level == SimdLevel::avx2 ? kAvx2 : kBaseline;
 }

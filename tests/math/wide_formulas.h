@@ -177,9 +177,8 @@ struct Lanes {
   /// Packs the numbers and the row numbers whose bits are set; returns how many.
   int (*compress)(const double* numbers, const std::uint16_t* rows, unsigned bits, double* out,
                   std::uint16_t* rowsOut);
-  /// Loads floats, stores them as such, and gathers; what is read back goes to `out`.
-  void (*move)(const float* floats, const double* column, const std::uint16_t* rows,
-               float* floatsOut, double* out);
+  /// Gathers the rows of a column, and sets the first lane of each vector to the last one's number.
+  void (*gather)(const double* column, const std::uint16_t* rows, double* out);
 };
 
 /// Of this translation unit's instruction set: a template, so that each has its own.
@@ -207,10 +206,8 @@ struct OfLanes {
     }
     return int(out - begin);
   }
-  static void move(const float* floats, const double* column, const std::uint16_t* rows,
-                   float* floatsOut, double* out) {
+  static void gather(const double* column, const std::uint16_t* rows, double* out) {
     for (int row = 0; row < kRows; row += kWidth) {
-      Number::loadFloats(floats + row).storeFloats(floatsOut + row);
       Number gathered = Number::gather(column, rows + row);
       gathered.set(0, gathered[kWidth - 1]);
       gathered.store(out + row);
@@ -221,7 +218,7 @@ struct OfLanes {
 inline namespace {
 Lanes ofThisUnit() {
   using Of = OfLanes<lanes::Doubles>;
-  return {Of::apply, Of::compress, Of::move};
+  return {Of::apply, Of::compress, Of::gather};
 }
 }  // namespace
 

@@ -1,8 +1,16 @@
-// The kernels of a wave, compiled once for each instruction set.
-// Included inside a namespace of that instruction set, and with the formulas of the scalar classes:
-// each is a template, here over as many doubles as one instruction takes. Nothing here may call an
-// inline function that computes with plain doubles: the linker could keep another instruction set's
-// copy.
+// The kernels of a wave, compiled once for each instruction set; INSTRUCTION_SET names it.
+//
+// Every formula is a template of the scalar classes, here over as many doubles as one instruction
+// takes. Nothing here may call an inline function that computes with plain doubles: the linker could
+// keep another instruction set's copy.
+#include "render/wave_kernels.h"
+
+#include "math/lanes.h"
+#include "shading/light.h"
+#include "shading/optics.h"
+#include "shading/phong_material.h"
+
+namespace INSTRUCTION_SET {
 
 #include "geometry/lane_columns.inc"
 
@@ -119,6 +127,8 @@ inline void absorb(const ColorFilterTable& filters) {
   }
 }
 
-inline WaveKernels waveKernels() {
+WaveKernels waveKernels() {
   return {eyeRays, sampleLight, reflect, mirror, refract, absorb};
 }
+
+}  // namespace INSTRUCTION_SET

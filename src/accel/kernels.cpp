@@ -1,0 +1,48 @@
+// The kernels of streams, compiled once for each instruction set; INSTRUCTION_SET names it.
+//
+// All but what is included first stands in the instruction set's own namespace. Nothing there may
+// call an inline function from outside but those of math/lanes.h and Vec3 of lanes: the linker could
+// keep another instruction set's copy.
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "accel/stream.h"
+#include "geometry/plane.h"
+#include "geometry/sphere.h"
+#include "geometry/transform.h"
+#include "geometry/triangle.h"
+#include "math/lanes.h"
+
+namespace accel::INSTRUCTION_SET {
+
+#include "accel/simd.h"
+
+using lanes::Floats;
+
+#include "geometry/lane_columns.inc"
+
+inline Doubles mostOf(const DoubleVector& a) { return larger(larger(a.x(), a.y()), a.z()); }
+
+#include "accel/leaf_filters.inc"
+#include "accel/prepare_stream.inc"
+#include "accel/shape_kernels.inc"
+#include "accel/walk_stream.inc"
+
+Kernels kernels() {
+  return {prepare,
+          walk<Purpose::nearest>,
+          walk<Purpose::any>,
+          walk<Purpose::all>,
+          hitsOfTriangles,
+          hitsOfSpheres,
+          nearestOfShapes,
+          occludedByShapes,
+          rowsAtShape,
+          moveRays,
+          moveHits};
+}
+
+}  // namespace accel::INSTRUCTION_SET
