@@ -35,14 +35,26 @@ std::size_t smallPage() { return std::size_t(sysconf(_SC_PAGESIZE)); }
 
 }  // namespace
 
-PageBuffer::PageBuffer(std::size_t bytes) : bytes_(roundedUp(bytes, smallPage())) {
-  if (bytes_ == 0) return;
-  void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
+PageBuffer::PageBuffer(std::size_t bytes) {
+  if (bytes == 0) return;
+  const bool isLarge = bytes >= 2 * kLargePage;
+  bytes = roundedUp(bytes, isLarge ? kLargePage : smallPage());
+  const std::size_t reserved = bytes + (isLarge ? kLargePage : 0);
+  void* memory = mmap(nullptr, reserved, PROT_READ | PROT_WRITE,
                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();
   data_ = memory;
-  // Rays visit nodes all over the tree: fewer, larger pages spare look-ups of addresses.
-  if (bytes_ >= 2 * kLargePage) preferLargePages(data_, bytes_);
+  bytes_ = reserved;
+  if (!isLarge) return;
+  // Whole large pages alone: the small ones at both ends took a tenth of a tree's building. And
+  // rays visit nodes all over the tree: fewer, larger pages spare look-ups of addresses.
+  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::size_t before = roundedUp(begin, kLargePage) - begin;
+  munmap(memory, before);
+  data_ = static_cast<char*>(memory) + before;
+  bytes_ -= before;
+  shrink(bytes);
+  preferLargePages(data_, bytes_);
 }
 
 PageBuffer::~PageBuffer() {
