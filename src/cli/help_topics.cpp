@@ -625,13 +625,25 @@ They go to standard error and begin "raytracer: ", a mistake in a scene
 argument that does not exist is answered with the nearest one.
 
 WARNINGS
-They name what is legal in a scene and probably a mistake: spheres, triangles
-and meshes wholly behind a perspective camera (unless anything is a mirror),
-point lights inside opaque closed objects (unless the camera is in there too),
-an exponent below 1 with a specularColor, colours of materials and Background
-above 1, and materials that no object has. Of each kind five are named, with
-file and line, and the rest counted. They change nothing; -quiet silences them,
-and -check prints them too. None of the scenes in scenes/ has any. To see some:
+They name what is legal in a scene and probably a mistake:
+  no lights (all is shown in white ambient light), or no Group
+  a field that is given twice in its block; for -check this is a mistake
+  spheres, triangles and meshes wholly behind a perspective camera (unless
+  anything is a mirror)
+  point lights inside opaque closed objects (unless the camera is in there too),
+  or whose attenuation is not above 0 somewhere in the scene
+  an exponent below 1 with a specularColor
+  colours of materials and Background above 1
+  materials that no object has
+  triangles without area, also of meshes; meshes without faces, or with faces
+  of less than three corners or whose outline crosses itself
+  bump, which is passed over
+Others tell what of the arguments cannot be had as it is asked for: -simd, the
+number of samples, glass thinner than -epsilon. All have their file and line
+where there is one. Of most kinds five are named and the rest counted, of
+triangles without area ten, of meshes each. They change nothing; -quiet silences
+them, and -check prints those of the scene too. None of the scenes in scenes/
+has any. To see some:
   printf '%s' 'PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0
     angle 30 } Materials { numMaterials 2
     PhongMaterial { diffuseColor 1 2 1 } PhongMaterial { } }
@@ -926,7 +938,7 @@ What passes a limit is told so, with the line it stands on. No input is to crash
 the program, keep it busy for ever, or take memory out of proportion to it.
 
 MEMORY
--memory_limit counts all that the run may write to, stacks (8 MB, and 2 MB and 4
+-memory_limit counts all that the run may write to, stacks (8 MB, and 2 MB and 8
 kB a bounce for each thread) included, and starts no more than one thread for
 each 8 MB. What would pass it ends the run with status 1 and a message that says
 what memory was wanted for; images stay as they were. To see it:

@@ -335,6 +335,7 @@ RenderRequest adapted(const RenderRequest& request, const Course& course,
     row.action->apply(ArgumentWords(row, given.words), draft);
   }
   draft.render.picture.course = &course;
+  draft.render.picture.scene = request.picture.scene;  // a table's lies beside it, wherever it is
   draft.render.given = request.given;
   fitPicture(draft);
   return draft.render;

@@ -46,7 +46,8 @@ bool SceneParser::hasGlass(const SourceText& text) {
   Tokenizer words(text.bytes());
   double index = 0;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (word == "refractionIndex" && readDouble(words.next(), index) && index != 0) return true;
+    const bool isIndex = isWord(word, "refractionIndex");
+    if (isIndex && readDouble(words.next(), index) && index != 0) return true;
   }
   return false;
 }

@@ -262,6 +262,27 @@ TEST("a table of commands is rendered and compared with a folder") {
   }
 }
 
+TEST("warnings of a command of a table name the scene beside the table, whatever its course") {
+  const Desk desk;
+  std::filesystem::create_directory(desk.file("e"));
+  std::filesystem::create_directory(desk.file("t"));
+  const std::string camera = "PerspectiveCamera { center 0 0 5 direction 0 0 -1 up 0 1 0 angle 30 ";
+  const std::string speck =
+      " } }\nGroup { numObjects 1 MaterialIndex 0\n"
+      "Sphere { center 0 0 0 radius 0.0001 } }\n";
+  const std::string glass = "Materials { numMaterials 1 PhongMaterial { ";
+  desk.write("t/2012.txt",
+             camera + "}\n" + glass + "specularColor 1 1 1 refractionIndex 1.5" + speck);
+  desk.write("t/thu.txt",
+             camera + "width 3 height 2 }\n" + glass + "transparentColor 1 1 1" + speck);
+  desk.write("t/table.txt",
+             "a.ppm -course 2012 -input 2012.txt -size 3 2\n"
+             "b.ppm -course thu -input thu.txt -epsilon course\n");
+  const std::string errors = desk.run("e t/table.txt").errors;
+  checkContains(errors, "warning: t/2012.txt:4: the transparent object is");
+  checkContains(errors, "warning: t/thu.txt:4: the transparent object is");
+}
+
 TEST("our scenes give the pictures in tests/expected") {
   const std::string folder = check::testsFolder();
   const check::ProgramRun run =

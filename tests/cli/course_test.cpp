@@ -156,14 +156,17 @@ TEST("2012 is ray tracing where -bounces says more than 0, or the scene has glas
       "} }\nGroup { numObjects 1 MaterialIndex 0 Sphere { center 0 0 0 radius 1 } }";
   desk.write("casting.txt", start + end);
   desk.write("glass.txt", start + "refractionIndex 2 " + end);
+  desk.write("older.txt", start + "refraction_index 2 " + end);
   desk.run("-course 2012 -input casting.txt -size 1 1 -output casting.ppm");
   desk.run("-course 2012 -input glass.txt -size 1 1 -bounces 0 -output glass.ppm");
+  desk.run("-course 2012 -input older.txt -size 1 1 -bounces 0 -output older.ppm");
   const auto lastByte = [&](const char* file) {
     return int(static_cast<unsigned char>(check::contentOf(desk.file(file)).back()));
   };
   // Diffuse .5 and, exponent 0, a highlight of .2 all over; as ray tracing the first alone.
   CHECK_EQUAL(lastByte("casting.ppm"), int(0.7 * 255));
   CHECK_EQUAL(lastByte("glass.ppm"), int(0.5 * 255));
+  CHECK_EQUAL(lastByte("older.ppm"), int(0.5 * 255));
 }
 
 TEST("thu takes two bare words, and the picture's size from the scene") {

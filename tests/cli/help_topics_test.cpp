@@ -8,8 +8,10 @@
 #include "cli/arguments.h"
 #include "cli/command_words.h"
 #include "cli/desk.h"
+#include "render/tiles.h"
 #include "scene/scene_grammar.h"
 #include "scene/scene_parser.h"
+#include "scene/scene_reader.h"
 
 using check::contains, check::contentOf, check::Desk;
 
@@ -102,6 +104,27 @@ TEST("topic scene has every word of the scene language of 2003") {
       CHECK(ofCourses.count(std::string(field.name)) == 1);
   }
   for (const std::string_view word : kNodeStepWords) CHECK(ofCourses.count(std::string(word)) == 1);
+}
+
+TEST("topic limits has the stacks of threads, and topic output every kind of warning of a scene") {
+  const auto stackOf = [](int bounces) {
+    RenderOptions options;
+    options.maxBounces = bounces;
+    return tracingStack(options);
+  };
+  CHECK_EQUAL(stackOf(0), std::size_t(2 << 20));
+  CHECK_EQUAL(stackOf(1) - stackOf(0), std::size_t(8 << 10));
+  CHECK(contains(topicOf("limits")->text, "2 MB and 8\nkB a bounce for each thread"));
+  const std::string output = topicOf("output")->text;
+  const std::string warnings = output.substr(output.find("\nWARNINGS\n"));
+  for (const char* kind : {"no lights", "no Group", "given twice", "behind a perspective camera",
+                           "inside opaque closed objects", "attenuation", "exponent below 1",
+                           "above 1", "that no object has", "without area", "without faces",
+                           "less than three corners", "outline crosses itself", "bump"}) {
+    CHECK_EQUAL(contains(warnings, kind) ? "" : kind, "");
+  }
+  CHECK_EQUAL(ObjectReader::kFlatTrianglesNamed, std::size_t(10));
+  CHECK(contains(warnings, "of\ntriangles without area ten"));
 }
 
 TEST("-help prints each topic on standard output, with one dash or two") {

@@ -175,6 +175,7 @@ TEST("whether a scene of 2012 has glass is found out from its words") {
     return SceneParser::hasGlass(SourceText("a.txt", text));
   };
   CHECK(hasGlass("Material { refractionIndex 1.5 }"));
+  CHECK(hasGlass("Material { refraction_index 1.5 }"));  // as the older scenes write it
   CHECK(!hasGlass("Material { refractionIndex 0 } # refractionIndex 2"));
   CHECK(!hasGlass("Material { shininess 2 }") && !hasGlass("refractionIndex"));
 }
