@@ -6,7 +6,7 @@
 /// The formulas of an eye ray through (x, y), for any number of rays (see math/number.h).
 namespace eye_ray {
 
-/// Its direction in a perspective picture. `spread` is the length of the image's longer side at
+/// Its direction in a perspective picture. `spread` is how long the image plane's unit is at
 /// distance 1.
 template <class Number>
 Vec3<Number> direction(const Vec3<Number>& ahead, const Vec3<Number>& right, const Vec3<Number>& up,
@@ -14,7 +14,7 @@ Vec3<Number> direction(const Vec3<Number>& ahead, const Vec3<Number>& right, con
   return normalize(ahead + (right * x + up * y) * spread);
 }
 
-/// Its origin in an orthographic picture. `size` is the length of the image's longer side.
+/// Its origin in an orthographic picture. `size` is how long the image plane's unit is.
 template <class Number>
 Vec3<Number> origin(const Vec3<Number>& center, const Vec3<Number>& right, const Vec3<Number>& up,
                     const Number& size, const Number& x, const Number& y) {
@@ -37,9 +37,9 @@ class Camera {
  public:
   virtual ~Camera() = default;
 
-  /// The ray through image point (x, y), in world space, its direction a unit vector, leaving no
-  /// surface. Both run over [-0.5, 0.5] along the longer side of the image, x to the right and y
-  /// up; points beyond (of a filter wider than a pixel) are as good.
+  /// The ray through point (x, y) of the image plane, in world space, its direction a unit vector,
+  /// leaving no surface. x goes to the right and y up, over [-0.5, 0.5] along the side of the image
+  /// that is the unit (PixelPlaces: as a rule the longer one); points beyond are as good.
   virtual Ray generateRay(const Vec2d& point) const = 0;
 
   /// The least t at which the camera sees, in units of the world: surfaces nearer are not there.
@@ -62,7 +62,8 @@ class Camera {
 /// Parallel rays; sees behind its centre too.
 class OrthographicCamera : public Camera {
  public:
-  /// `size` > 0 is the length in the world of the longer side of the image.
+  /// `size` > 0 is the length in the world of the image plane's unit. Made of direction and up as
+  /// the assignment has it, or of a frame.
   OrthographicCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double size)
       : OrthographicCamera(center, CameraFrame::turned(direction, up), size) {}
   OrthographicCamera(const Vec3d& center, const CameraFrame& frame, double size)
@@ -71,7 +72,7 @@ class OrthographicCamera : public Camera {
   Ray generateRay(const Vec2d& point) const override;
   /// -infinity.
   double getTMin() const override;
-  /// The length in the world of the longer side of the image.
+  /// The length in the world of the image plane's unit.
   double getSize() const { return size_; }
 
  private:
@@ -81,14 +82,14 @@ class OrthographicCamera : public Camera {
 /// Rays from one point.
 class PerspectiveCamera : public Camera {
  public:
-  /// `angle` is the opening angle along the longer side of the image, in radians, 0 < angle < pi.
+  /// `angle` is the opening angle over the image plane's unit, in radians, 0 < angle < pi.
   PerspectiveCamera(const Vec3d& center, const Vec3d& direction, const Vec3d& up, double angle)
       : PerspectiveCamera(center, CameraFrame::turned(direction, up), angle) {}
   PerspectiveCamera(const Vec3d& center, const CameraFrame& frame, double angle);
 
   Ray generateRay(const Vec2d& point) const override;
   double getTMin() const override { return 0; }
-  /// 2 tan(angle / 2): the length of the image's longer side at distance 1.
+  /// 2 tan(angle / 2): the length of the image plane's unit at distance 1.
   double getSpread() const { return spread_; }
 
  private:

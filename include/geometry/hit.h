@@ -47,7 +47,7 @@ class Hit {
   /// The unit normal, in the space of the ray that was asked: the world's once intersect() has
   /// returned to the top. Its side is the surface's own, whichever side the ray came from.
   const Vec3d& getNormal() const { return normal_; }
-  /// The ray's point at getT(), in the same space; (0, 0, 0) until something is hit.
+  /// The ray's point at getT(), in the same space; (0, 0, 0) where none is known.
   const Vec3d& getIntersectionPoint() const { return point_; }
   /// The primitive that was hit, null until then. Not owned.
   const Object3D* getObject() const { return primitive_.object; }
@@ -75,16 +75,10 @@ class Hit {
     hit.material_ = material;
     return hit;
   }
-  /// The same hit of a surface that is turned around.
+  /// The same hit of a surface with that normal.
   Hit withNormal(const Vec3d& normal) const {
     Hit hit = *this;
     hit.normal_ = normal;
-    return hit;
-  }
-  /// The same hit at another place of the texture.
-  Hit withTexturePlace(const Vec2d& place) const {
-    Hit hit = *this;
-    hit.primitive_.texturePlace = place;
     return hit;
   }
 

@@ -1,6 +1,6 @@
 // MeshGeometry: the vertices and triangles of one OBJ file, shared by all meshes that name it.
-// Vertices are stored in float and used in double. Of a mesh far from 0 (isFarMesh in
-// scene/obj_reader.h) they are measured from an origin near it, or no float would tell them apart.
+// Vertices are stored in float and used in double. Of a mesh far from 0, in units of its own size,
+// they are measured from an origin near it, or no float would tell them apart.
 #pragma once
 #include <array>
 #include <cstdint>

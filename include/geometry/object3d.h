@@ -36,7 +36,8 @@ class Object3D {
 
   /// Finds the nearest surface with tmin < t < hit.getT(); on success stores it in `hit` and
   /// returns true, otherwise leaves `hit` as it was. Of several at the same t the first one in
-  /// the scene wins. tmin may be -infinity.
+  /// the scene wins. tmin may be -infinity. `hit` may hold what another object's surface is, which
+  /// then has to be nearer, or nothing but a bound.
   virtual bool intersect(const Ray& ray, Hit& hit, double tmin) const = 0;
 
   /// True when any surface lies at tmin < t < tmax. Cheaper than intersect: no normal, no
@@ -74,7 +75,6 @@ struct ShadowQuery {
   Ray ray;
   double tmin = 0, tmax = 0;
   ShadowQuery() {}  // were it defaulted, it would first clear all bytes, slowly
-  ShadowQuery(const Ray& r, double least, double most) : ray(r), tmin(least), tmax(most) {}
 };
 
 /// `object` (not null) as a T where it is a T itself and not of a class derived from T, which may

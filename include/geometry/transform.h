@@ -11,8 +11,7 @@ template <class Number>
 Number outsideMagnitude(const Matrix& inverse, const Number& within, const Vec3<Number>& point,
                         const Vec3<Number>& origin, const Vec3<Number>& direction) {
   const Number outside = larger(maxAbs(origin), maxAbs(point)) / length(direction);
-  const Number between =
-      inverse.magnitudeAt(point) / length(inverse.transformDirection(direction));
+  const Number between = inverse.magnitudeAt(point) / length(inverse.transformDirection(direction));
   return larger(within, larger(outside, between));
 }
 

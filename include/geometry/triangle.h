@@ -48,6 +48,10 @@ MaskOf<Number> distance(const Vec3<Number>& a, const Vec3<Number>& b, const Vec3
 /// t never leaves the range of the three vertices, however flat the ray strikes.
 bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t);
 
+/// The same where tmin < t < tmax; else `t` is as it was.
+bool nearestRoot(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double tmin,
+                 double tmax, double& t);
+
 /// The barycentric weights of a point in the plane of triangle abc: the point is weights.x a +
 /// weights.y b + weights.z c, and they add up to 1, each but for rounding. At a corner those of the
 /// others are 0. Not finite where the triangle has no area. They are quotients of areas in the

@@ -1,6 +1,7 @@
 // SimdLevel: the instruction sets that a program for one processor family may use.
 // What is computed several numbers at a time (math/lanes.h) is compiled once for each of them, and
-// chosen when the program runs. All of them give the same bits.
+// chosen when the program runs. All of them give the same bits. The functions are not inline, as
+// what is compiled for one of the sets includes this.
 #pragma once
 
 /// Which instruction set the kernels use.

@@ -74,8 +74,7 @@ class Vec3 {
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 
-/// A place on a picture, or on the image plane, where both components run over [-0.5, 0.5] along
-/// the longer side.
+/// A place in two dimensions: on the image plane, in a texture, in pixels.
 template <class T>
 class Vec2 {
  public:

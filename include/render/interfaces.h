@@ -20,9 +20,10 @@ class Interfaces {
   Interfaces(const SceneParser& scene, const Object3D& geometry, const Shader& shader);
 
   /// Object3D::intersect, but finds only surfaces that are there, and stores in `interface` what
-  /// lies on both sides. Surfaces that the ray went through before are appended to `passed`, where
+  /// lies on both sides; `index` is that of the medium that the ray travels in, where the Shader
+  /// follows it. Surfaces that the ray went through before are appended to `passed`, where
   /// that is not null. Where nothing is found, `hit` is as it was.
-  bool intersect(const Ray& ray, double tmin, Hit& hit, Interface& interface,
+  bool intersect(const Ray& ray, double tmin, float index, Hit& hit, Interface& interface,
                  std::vector<Hit>* passed = nullptr) const;
   /// The same for all rays of a table, whose tmax is infinite: in `hits` and rays.tmax is stored
   /// what they meet, in found[row] what lies on both sides of it. `batches` answers as the geometry

@@ -27,6 +27,8 @@ class RayCounts : public RayObserver {
     shadowRays_ += cast;
     blocked_ += blocked;
   }
+  /// Adds `count` branches that ended so.
+  void addEnds(Outcome why, std::size_t count) { ends_[std::size_t(why)] += count; }
   /// Adds what another one has counted.
   void add(const RayCounts& other) {
     addEach(other.rays_, rays_);
@@ -45,7 +47,7 @@ class RayCounts : public RayObserver {
                     const Vec3f& visible) override {
     if (shadowRay) addShadowRays(1, visible == Vec3f() ? 1 : 0);
   }
-  void branchEnds(RayKind, Outcome why, float) override { ++ends_[std::size_t(why)]; }
+  void branchEnds(RayKind, Outcome why, float) override { addEnds(why, 1); }
 
   std::uint64_t rays(RayKind kind) const { return rays_[std::size_t(kind)]; }
   std::uint64_t shadowRays() const { return shadowRays_; }

@@ -34,13 +34,13 @@ class RayTracer {
   Vec3f visibility(const Surface& s, const LightSample& light) const;
 
  protected:  // each step on its own, so that a WatchedTracer can tell of it
-  virtual bool meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const;
+  virtual bool meet(const Ray& ray, double tmin, float index, Hit& hit, Interface& interface) const;
   virtual Vec3f shadeComponent(const Surface& s, double share) const;
   virtual Vec3d ambient(const Surface& s) const { return shader_.ambient(s); }
   virtual Vec3d lights(const Surface& s) const;
   virtual Vec3d light(int index, const Surface& s) const;
-  virtual Vec3d mirror(const Surface& s) const;
-  virtual Vec3d transmitted(const Surface& s) const;
+  /// The mirrored, or the refracted, term.
+  virtual Vec3d branch(RayKind kind, const Surface& s) const;
 
   /// What `next`, which continues at `s`, brings there.
   Vec3d follow(const Surface& s, TracedRay& next) const;

@@ -95,8 +95,13 @@ struct RenderOptions {
   bool shadows = true;              ///< cast shadow rays
   bool transparentShadows = false;  ///< transparent objects tint the light instead of blocking it
   bool shadeBack = false;           ///< light both sides of every surface
-  bool darkBacks = false;           ///< else a side seen from behind sends back no light of lamps
-  bool ambientBacks = true;         ///< and where that holds, ambient light all the same
+  /// What a side sends back that is seen from behind, unless `shadeBack` lights it.
+  enum class Backs {
+    litAsFront,  ///< the light of lamps before the surface, which shine on its other side
+    ambient,     ///< ambient light alone
+    nothing      ///< no light of its own; what it mirrors and lets through
+  };
+  Backs backs = Backs::litAsFront;
   bool isAmbientPlain = false;     ///< ambient light meets the diffuse colour, not what replaces it
   bool nestedDielectrics = false;  ///< indices follow from what a ray is inside of, by priority
   bool fresnel = false;            ///< reflection follows from index and angle

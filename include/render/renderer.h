@@ -51,7 +51,7 @@ struct PictureWindow {
   int width = 0, height = 0;  ///< of the whole picture
 };
 
-/// The pictures wanted; null where one is not, and one of them is not. All that are given have the
+/// The pictures wanted. Null where one is not; at least one is given. All that are given have the
 /// same size, at least 1 x 1, but `samples` is samplesZoom >= 1 times as wide and high; every pixel
 /// is set. Not owned.
 struct RenderTargets {

@@ -35,19 +35,25 @@ class Shader {
   /// component) arrives: attenuation and Material::Shade. Black for a black `visible`.
   Vec3d reflected(const Surface& s, const LightSample& light, const Vec3f& visible) const;
 
-  /// The ray that a mirror sends on, and the ray that goes through. `next` is set where it follows;
+  /// The ray that a mirror sends on, or the one that goes through. `next` is set where it follows;
   /// where it would but for a limit, next.weight says what it would weigh.
-  Outcome mirrored(const Surface& s, TracedRay& next) const;
-  Outcome refracted(const Surface& s, TracedRay& next) const;
+  Outcome continued(RayKind kind, const Surface& s, TracedRay& next) const;
+
+  // The same in pieces, for who does them for many surfaces.
 
   /// Whether lights see the surface's other side: with `shadeBack` the one that the ray sees.
   /// `approach` is n.v, below 0 where the ray comes from outside.
   bool isTurned(double approach) const { return options_.shadeBack && approach > 0; }
   /// Whether the side that the ray sees sends back no light of lamps; and whether ambient light.
-  bool isDark(double approach) const {
-    return options_.darkBacks && !options_.shadeBack && approach > 0;
+  bool isDark(double approach) const { return hasDarkSides() && approach > 0; }
+  bool hasAmbient(double approach) const { return !hasBlackSides() || !isDark(approach); }
+  /// Whether any side is so.
+  bool hasDarkSides() const {
+    return options_.backs != RenderOptions::Backs::litAsFront && !options_.shadeBack;
   }
-  bool hasAmbient(double approach) const { return options_.ambientBacks || !isDark(approach); }
+  bool hasBlackSides() const {
+    return options_.backs == RenderOptions::Backs::nothing && !options_.shadeBack;
+  }
   /// False where no surface of the material sends a ray of that kind on.
   bool sends(RayKind kind, const Material& material) const;
   /// What of a mirrored, or of a refracted, ray's colour goes back along the ray that met the
@@ -59,12 +65,14 @@ class Shader {
   }
   /// Whether a ray of that factor follows one of `weight` after so many bounces; unless the factor
   /// is black, stores in `nextWeight` what it weighs. Here recursion ends.
-  Outcome follow(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
-                 float& nextWeight) const;
+  Outcome outcomeOf(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
+                    float& nextWeight) const;
+  /// Whether a ray of that weight is too faint to follow.
+  bool isFaint(float weight) const { return !(weight >= options_.minWeight); }
   /// Whether factors of transparent materials depend on the angle, and on the media.
   bool areFactorsAngular() const { return options_.fresnel || options_.blendsGlass; }
   /// With blended glass the index before a surface is that of the medium that the ray travels in,
-  /// wherever the surface's outside is.
+  /// TracedRay::indexOfRefraction, wherever the surface's outside is.
   bool followsIndex() const {
     return options_.blendsGlass && !options_.fresnel && !options_.nestedDielectrics;
   }
@@ -90,7 +98,7 @@ class Shader {
   Vec3f mirrorFactor(const Material& material, const Interface& interface, double approach) const;
   Vec3f refractedFactor(const Material& material, const Interface& interface,
                         double approach) const;
-  Outcome follow(const Surface& s, const Vec3f& factor, TracedRay& next) const;
+  bool refract(const Surface& s, Vec3d& direction, float& index) const;
   void setLeaving(const Hit& hit, const Vec3d& direction, Ray& ray) const;
 
   const SceneParser* scene_;  // not owned

@@ -58,17 +58,16 @@ class WatchedTracer : public RayTracer {
                  Hit& hit) const override;
 
  protected:
-  bool meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const override;
+  bool meet(const Ray& ray, double tmin, float index, Hit& hit,
+            Interface& interface) const override;
   Vec3f shadeComponent(const Surface& s, double share) const override;
   Vec3d ambient(const Surface& s) const override;
   Vec3d lights(const Surface& s) const override;
   Vec3d light(int index, const Surface& s) const override;
-  Vec3d mirror(const Surface& s) const override;
-  Vec3d transmitted(const Surface& s) const override;
+  Vec3d branch(RayKind kind, const Surface& s) const override;
 
  private:
   Vec3d report(ColorTerm term, const Vec3d& color) const;
-  Vec3d branch(RayKind kind, const Surface& s, Outcome outcome, TracedRay& next) const;
 
   RayObserver& observer_;
 };

@@ -35,6 +35,8 @@ class Light {
   /// (infinity for a directional light).
   virtual void getIllumination(const Vec3d& point, Vec3d& dirToLight, Vec3f& color,
                                double& distanceToLight) const = 0;
+  /// The word by which scene files call this kind of light.
+  virtual const char* getKind() const = 0;
 };
 
 /// Parallel light: the same direction and colour everywhere.
@@ -54,6 +56,7 @@ class DirectionalLight : public Light {
     color = color_;
     distanceToLight = std::numeric_limits<double>::infinity();
   }
+  const char* getKind() const override { return "DirectionalLight"; }
 
  private:
   Vec3d dirToLight_;
@@ -82,6 +85,7 @@ class PointLight : public Light {
                distanceToLight);
     color = Vec3f(arriving);
   }
+  const char* getKind() const override { return "PointLight"; }
 
  private:
   Vec3d position_;

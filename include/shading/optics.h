@@ -76,7 +76,7 @@ Vec3<Number> schlickReflectance(const Plain<Number>& cosine,
 /// and 1 at total reflection. `approach` is n.v of the ray; c is its size where the ray enters
 /// (below 0), else the cosine of the refracted ray. Source: MIT 6.837, "Introduction to Computer
 /// Graphics", assignment 5 of 2012.
-inline double schlickReflectance(double approach, double before, double behind) {
+inline double blendedReflectance(double approach, double before, double behind) {
   const double ratio = before / behind, cosSquared = 1 - ratio * ratio * (1 - approach * approach);
   if (cosSquared < 0) return 1;
   const double root = (behind - 1) / (behind + 1), r0 = root * root;

@@ -1,7 +1,7 @@
 // Camera: the frame that both kinds share, and their rays.
 //
 // The frame is three unit vectors at right angles: where the camera looks, right, and true up. The
-// image is a rectangle that lies across the direction, 1 along its longer side:
+// image is a rectangle that lies across the direction, 1 along the side that is its unit:
 //   orthographic  it stands at the centre, `size` times as large, and every ray starts on it and
 //                 runs along the direction;
 //   perspective   it stands at distance 1 before the centre, 2 tan(angle / 2) times as large, and

@@ -26,8 +26,7 @@ Course course2004() {
   render.maxBounces = 0;
   render.minWeight = 0;
   render.shadows = false;
-  render.darkBacks = true;
-  render.ambientBacks = false;
+  render.backs = RenderOptions::Backs::nothing;
   render.epsilon = {Epsilon::Kind::fixed, Epsilon::kCourse};
   SamplingOptions& sampling = render.sampling;
   sampling.numbers = SamplingOptions::Numbers::sequence;
@@ -139,7 +138,7 @@ Course courseThu() {
 Course courseAalto() {
   Course course = laterCourse(kCourseNames[6], Language::of2003);
   course.render.minWeight = 0.1f;
-  course.render.darkBacks = true;
+  course.render.backs = RenderOptions::Backs::ambient;
   course.render.places = {};
   course.render.places.unit = PixelPlaces::Unit::height;
   course.scene.areHighlightsEverywhere = false;

@@ -1,4 +1,8 @@
-// MeshShading: sums of normals over the faces of a mesh, and weighted means over one of them.
+// MeshShading: what a mesh's surface looks like at a point, by what its vertices have.
+//
+// A vertex's normal is the sum of those of the faces around it, by area or each as a unit vector,
+// made unit. At a point of a face normals and texture coordinates are means of the three corners',
+// weighted by its barycentric coordinates. Where such a sum vanishes, the face's own normal stands.
 #include "geometry/mesh_shading.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
-// RayTable and HitTable: from rows to columns and back.
+// RayTable and HitTable: from rows to columns and back, and rays asked one by one.
+//
+// All columns of numbers come out of one piece of memory. What few hits have, such as texture
+// coordinates, is cleared when the first of them is set.
 #include "geometry/ray_table.h"
 
 #include <algorithm>
@@ -55,8 +58,7 @@ Hit HitTable::hitOf(int row, double t) const {
   Hit hit(t);
   if (!isFound(row)) return hit;
   hit.record(t, material[row], rowOf(normal, row), rowOf(point, row),
-             {object[row], face[row], magnitude[row]});
-  if (hasTexturePlaces) hit = hit.withTexturePlace(texturePlaceOf(row));
+             {object[row], face[row], magnitude[row], texturePlaceOf(row)});
   return hit;
 }
 

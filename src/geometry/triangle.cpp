@@ -112,15 +112,19 @@ bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, dou
   return distance(seen.a, seen.b, seen.c, areaNormal(a, b, c), ray.getDirection(), t);
 }
 
+bool nearestRoot(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double tmin,
+                 double tmax, double& t) {
+  double root;
+  if (!intersect(a, b, c, ray, root) || !(root > tmin && root < tmax)) return false;
+  t = root;
+  return true;
+}
+
 }  // namespace triangle
 
 bool Triangle::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
   const auto& [a, b, c] = vertices_;
-  double root;
-  if (ray.leaves(this) || !triangle::intersect(a, b, c, ray, root)) return false;
-  if (!(root > tmin && root < tmax)) return false;
-  t = root;
-  return true;
+  return !ray.leaves(this) && triangle::nearestRoot(a, b, c, ray, tmin, tmax, t);
 }
 
 void Triangle::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {

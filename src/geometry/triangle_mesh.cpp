@@ -9,11 +9,7 @@
 bool TriangleMesh::nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax,
                                double& t) const {
   const auto [a, b, c] = geometry_->corners(face);
-  double root;
-  if (ray.leaves(this, face) || !triangle::intersect(a, b, c, ray, root)) return false;
-  if (!(root > tmin && root < tmax)) return false;
-  t = root;
-  return true;
+  return !ray.leaves(this, face) && triangle::nearestRoot(a, b, c, ray, tmin, tmax, t);
 }
 
 void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const {

@@ -5,7 +5,7 @@
 // middle of a gap: 255 less the bits of the level before, lowest first.
 //
 // The heat map. Rays are counted by an observer of the recursion that traces one ray after the
-// other: batches mix those of many pixels. So every sample is traced on its own, and where it is
+// other: tables mix those of many pixels. So every sample is traced on its own, and where it is
 // the colours that say how many samples a pixel gets, those are found first, as for the picture.
 #include "render/false_colors.h"
 

@@ -180,11 +180,12 @@ struct Interfaces::Walk {
   }
 };
 
-bool Interfaces::intersect(const Ray& ray, double tmin, Hit& hit, Interface& interface,
+bool Interfaces::intersect(const Ray& ray, double tmin, float index, Hit& hit, Interface& interface,
                            std::vector<Hit>* passed) const {
   if (!tracksMedia_) {
     if (!geometry_->intersect(ray, hit, tmin)) return false;
     interface = plainInterface(dot(hit.getNormal(), ray.getDirection()));
+    if (shader_->followsIndex()) interface.before = {false, index};
     return true;
   }
   Arena arena;

@@ -171,8 +171,7 @@ std::string SceneNames::ofMaterial(const Material& material) const {
 }
 
 std::string SceneNames::ofLight(int index) const {
-  const bool isPoint = dynamic_cast<const PointLight*>(scene_.getLight(index)) != nullptr;
-  return "light " + std::to_string(index) + (isPoint ? ", PointLight" : ", DirectionalLight");
+  return "light " + std::to_string(index) + ", " + scene_.getLight(index)->getKind();
 }
 
 std::unique_ptr<RayObserver> makeRayReport(const SceneNames& names, const Object3D& geometry,

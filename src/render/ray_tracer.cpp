@@ -2,9 +2,9 @@
 // in which order the terms are added.
 //
 //   traceRay    the background, or what shade makes of the nearest surface
-//   shade       ambient + lights + mirror + transmitted; of a texture the mean of its components
+//   shade       ambient + lights + mirrored + refracted; of a texture the mean of its components
 //   light       does the surface face it, does it arrive, what comes back
-//   follow      where the Shader sends a ray on, mirrored or refracted: traceRay, one bounce deeper
+//   branch      where the Shader sends a ray on, mirrored or refracted: traceRay, one bounce deeper
 // The Shader says where it ends, so the recursion is as deep as RenderOptions::maxBounces at most.
 #include "render/ray_tracer.h"
 
@@ -35,13 +35,15 @@ RayTracer::RayTracer(const SceneParser& scene, const Object3D& geometry,
 Vec3f RayTracer::traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                           Hit& hit) const {
   Interface interface;
-  if (!meet(ray, tmin, hit, interface)) return scene_->getBackground().colorAt(ray.getDirection());
-  if (shader_.followsIndex()) interface.before = {false, indexOfRefraction};
+  if (!meet(ray, tmin, indexOfRefraction, hit, interface)) {
+    return scene_->getBackground().colorAt(ray.getDirection());
+  }
   return shade({ray, hit, interface, bounces, weight, indexOfRefraction});
 }
 
-bool RayTracer::meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const {
-  return interfaces_.intersect(ray, tmin, hit, interface);
+bool RayTracer::meet(const Ray& ray, double tmin, float index, Hit& hit,
+                     Interface& interface) const {
+  return interfaces_.intersect(ray, tmin, index, hit, interface);
 }
 
 /// Summed in double, in this order, and rounded once: 0.02 + 0.9 * 0.2 is 0.2 again.
@@ -49,8 +51,8 @@ Vec3f RayTracer::shade(const Surface& s) const {
   if (const SolidTexture* texture = s.hit.getMaterial()->asTexture()) return mixture(*texture, s);
   Vec3d color = ambient(s);
   color += lights(s);
-  color += mirror(s);
-  color += transmitted(s);
+  color += branch(RayKind::mirror, s);
+  color += branch(RayKind::refracted, s);
   return Vec3f(color * Vec3d(s.interface.tint));
 }
 
@@ -94,14 +96,9 @@ Vec3f RayTracer::visibility(const Surface& s, const LightSample& light) const {
   return geometry_->occluded(query.ray, query.tmin, query.tmax) ? Vec3f() : Vec3f(1, 1, 1);
 }
 
-Vec3d RayTracer::mirror(const Surface& s) const {
+Vec3d RayTracer::branch(RayKind kind, const Surface& s) const {
   TracedRay next;
-  return shader_.mirrored(s, next) == Outcome::follows ? follow(s, next) : Vec3d();
-}
-
-Vec3d RayTracer::transmitted(const Surface& s) const {
-  TracedRay next;
-  return shader_.refracted(s, next) == Outcome::follows ? follow(s, next) : Vec3d();
+  return shader_.continued(kind, s, next) == Outcome::follows ? follow(s, next) : Vec3d();
 }
 
 /// The colour that arrives along the continued ray, times the factor that the surface takes of it.

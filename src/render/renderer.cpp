@@ -1,7 +1,7 @@
 // The renderer.
 //
 // A picture is rendered tile by tile, in one pass or two. Where a pixel is the colour of the ray
-// through its centre, a tile is one batch of rays, and colour, depth, normals and materials all
+// through its centre, a tile is one table of rays, and colour, depth, normals and materials all
 // come of what they hit. Where a pixel is made of samples, colours have a pass of their own, and
 // the central rays follow for the other pictures.
 //

@@ -8,34 +8,17 @@
 // together have the same weight however many there are. All this depends on nothing but the pixel
 // and its neighbours, so no byte depends on where tiles begin or end.
 //
-// Rays go through the scene in batches: those of many samples, in the order in which the samples
+// Rays go through the scene by tables: those of many samples, in the order in which the samples
 // are handed over. Pixels are refined a group at a time, step by step for the whole group: enough
-// of them to fill batches, and few enough that their samples need little memory.
+// of them to fill tables, and few enough that their samples need little memory.
 #include "render/sample_tracing.h"
 
 #include <algorithm>
-#include <typeinfo>
 #include <vector>
 
 #include "render/wave_kernels.h"
 
 namespace {
-
-/// False where the camera has no wide form.
-bool toNumbers(const Camera& camera, EyeFrame& eye) {
-  copyTo(eye.center, camera.getCenter());
-  copyTo(eye.direction, camera.getDirection());
-  copyTo(eye.right, camera.getRight());
-  copyTo(eye.up, camera.getUp());
-  eye.isPerspective = typeid(camera) == typeid(PerspectiveCamera);
-  if (eye.isPerspective) {
-    eye.scale = static_cast<const PerspectiveCamera&>(camera).getSpread();
-    return true;
-  }
-  if (typeid(camera) != typeid(OrthographicCamera)) return false;
-  eye.scale = static_cast<const OrthographicCamera&>(camera).getSize();
-  return true;
-}
 
 /// Pixels that are refined together have room for so many samples.
 constexpr int kGroupSamples = 1 << 16;

@@ -40,7 +40,7 @@ double reflectance(const Material& material, const Interface& interface, double 
 
 /// The same as Schlick has it, by the index behind the surface.
 double blend(const Material& material, const Interface& interface, double approach) {
-  return schlickReflectance(approach, double(interface.before.indexAt(material)),
+  return blendedReflectance(approach, double(interface.before.indexAt(material)),
                             double(interface.behind.indexAt(material)));
 }
 
@@ -94,18 +94,12 @@ bool Shader::sends(RayKind kind, const Material& material) const {
 }
 
 /// By the number of bounces, or where a ray would weigh too little.
-Outcome Shader::follow(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
-                       float& nextWeight) const {
+Outcome Shader::outcomeOf(int bounces, float weight, const Vec3f& factor, const Vec3f& tint,
+                          float& nextWeight) const {
   if (!anyPositive(factor)) return Outcome::none;
   nextWeight = weight * length(factor * tint);
   if (bounces >= options_.maxBounces) return Outcome::tooManyBounces;
-  return nextWeight >= options_.minWeight ? Outcome::follows : Outcome::tooFaint;
-}
-
-Outcome Shader::follow(const Surface& s, const Vec3f& factor, TracedRay& next) const {
-  next.factor = factor;
-  next.tmin = double(epsilonAt(s.hit.getMagnitude()));
-  return follow(s.bounces, s.weight, factor, s.interface.tint, next.weight);
+  return isFaint(nextWeight) ? Outcome::tooFaint : Outcome::follows;
 }
 
 /// With an adaptive epsilon the ray knows what it leaves, so that rounding in its origin cannot
@@ -117,13 +111,32 @@ void Shader::setLeaving(const Hit& hit, const Vec3d& direction, Ray& ray) const 
   }
 }
 
-Outcome Shader::mirrored(const Surface& s, TracedRay& next) const {
-  const Vec3f factor = mirrorFactor(*s.hit.getMaterial(), s.interface, approachOf(s));
-  const Outcome outcome = follow(s, factor, next);
+Outcome Shader::continued(RayKind kind, const Surface& s, TracedRay& next) const {
+  const Vec3f factor = factorOf(kind, *s.hit.getMaterial(), s.interface, approachOf(s));
+  const Outcome outcome = outcomeOf(s.bounces, s.weight, factor, s.interface.tint, next.weight);
   if (outcome != Outcome::follows) return outcome;
-  setLeaving(s.hit, mirrorDirection(s.hit.getNormal(), s.ray.getDirection()), next.ray);
+  next.factor = factor;
+  next.tmin = double(epsilonAt(s.hit.getMagnitude()));
   next.indexOfRefraction = s.indexOfRefraction;
+  Vec3d direction = s.ray.getDirection();
+  if (kind == RayKind::mirror) {
+    direction = mirrorDirection(s.hit.getNormal(), direction);
+  } else if (!refract(s, direction, next.indexOfRefraction)) {
+    return Outcome::totalReflection;
+  }
+  setLeaving(s.hit, direction, next.ray);
   return Outcome::follows;
+}
+
+/// Turns `direction` as Snell's law has it, and stores the index of the medium behind; false where
+/// all light is mirrored.
+bool Shader::refract(const Surface& s, Vec3d& direction, float& index) const {
+  const Material& material = *s.hit.getMaterial();
+  const float before = s.interface.before.indexAt(material);
+  index = s.interface.behind.indexAt(material);
+  if (before == index && keepsStraight()) return true;
+  const Vec3d normal = approachOf(s) < 0 ? s.hit.getNormal() : -s.hit.getNormal();
+  return transmittedDirection(normal, s.ray.getDirection(), before, index, direction);
 }
 
 /// With `fresnel`, glass mirrors by Fresnel's equations and takes no notice of its reflective
@@ -138,25 +151,6 @@ Vec3f Shader::mirrorFactor(const Material& material, const Interface& interface,
   if (material.isTransparent()) return grey(reflectance(material, interface, approach));
   if (!anyPositive(color)) return Vec3f();
   return Vec3f(schlickReflectance(std::fabs(approach), Vec3d(color)));
-}
-
-Outcome Shader::refracted(const Surface& s, TracedRay& next) const {
-  const Material& material = *s.hit.getMaterial();
-  const double approach = approachOf(s);
-  const Vec3f factor = refractedFactor(material, s.interface, approach);
-  const Outcome outcome = follow(s, factor, next);
-  if (outcome != Outcome::follows) return outcome;
-  const float before = s.interface.before.indexAt(material);
-  const float behind = s.interface.behind.indexAt(material);
-  Vec3d direction = s.ray.getDirection();
-  const Vec3d normal = approach < 0 ? s.hit.getNormal() : -s.hit.getNormal();
-  if (!(before == behind && keepsStraight()) &&
-      !transmittedDirection(normal, s.ray.getDirection(), before, behind, direction)) {
-    return Outcome::totalReflection;
-  }
-  setLeaving(s.hit, direction, next.ray);
-  next.indexOfRefraction = behind;
-  return Outcome::follows;
 }
 
 /// With `fresnel` what is not mirrored goes through; a closed object dims light on the way inside

@@ -12,7 +12,7 @@
 #include "system/worker_threads.h"
 
 /// The side of the smallest tiles, in pixels. Small, as some pixels take a hundred times as long as
-/// others, and one batch of rays.
+/// others.
 inline constexpr int kTileSide = TileStore::kSide;
 
 /// A picture of width x height pixels in squares of `side`, those at its right and upper edge

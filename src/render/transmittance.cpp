@@ -94,7 +94,7 @@ class ShadowFilters final : public CrossingVisitor {
     for (CrossingPlace c = last; c != first;) {
       --c;
       if (!c->closed) {
-          filters_.insert(filters_.end(), c->count, {colorAt(*c), 1});
+        filters_.insert(filters_.end(), c->count, {colorAt(*c), 1});
       } else if (begun.empty() || begun.back()->leaving == c->leaving) {
         begun.push_back(c);
       } else {

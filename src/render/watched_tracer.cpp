@@ -17,9 +17,10 @@ Vec3f WatchedTracer::traceRay(Ray& ray, float tmin, int bounces, float weight,
 }
 
 /// Surfaces that are not there are told of before the one that is.
-bool WatchedTracer::meet(const Ray& ray, double tmin, Hit& hit, Interface& interface) const {
+bool WatchedTracer::meet(const Ray& ray, double tmin, float index, Hit& hit,
+                         Interface& interface) const {
   std::vector<Hit> passed;
-  const bool isFound = interfaces().intersect(ray, tmin, hit, interface, &passed);
+  const bool isFound = interfaces().intersect(ray, tmin, index, hit, interface, &passed);
   for (const Hit& surface : passed) observer_.surfaceIsPassed(surface);
   observer_.rayMeets(isFound ? &hit : nullptr);
   if (isFound) observer_.interfaceIsKnown(interface);
@@ -62,26 +63,16 @@ Vec3d WatchedTracer::light(int index, const Surface& s) const {
   return added;
 }
 
-Vec3d WatchedTracer::mirror(const Surface& s) const {
-  TracedRay next;
-  const Outcome outcome = shader().mirrored(s, next);
-  return report(ColorTerm::mirror, branch(RayKind::mirror, s, outcome, next));
-}
-
-Vec3d WatchedTracer::transmitted(const Surface& s) const {
-  TracedRay next;
-  const Outcome outcome = shader().refracted(s, next);
-  return report(ColorTerm::transmitted, branch(RayKind::refracted, s, outcome, next));
-}
-
 /// What the ray brings that continues at `s`; or tells why there is none.
-Vec3d WatchedTracer::branch(RayKind kind, const Surface& s, Outcome outcome,
-                            TracedRay& next) const {
-  if (outcome == Outcome::none) return Vec3d();
-  if (outcome != Outcome::follows) {
+Vec3d WatchedTracer::branch(RayKind kind, const Surface& s) const {
+  TracedRay next;
+  const Outcome outcome = shader().continued(kind, s, next);
+  Vec3d color;
+  if (outcome == Outcome::follows) {
+    observer_.rayBegins(kind, s.bounces + 1, next);
+    color = follow(s, next);
+  } else if (outcome != Outcome::none) {
     observer_.branchEnds(kind, outcome, next.weight);
-    return Vec3d();
   }
-  observer_.rayBegins(kind, s.bounces + 1, next);
-  return follow(s, next);
+  return report(kind == RayKind::mirror ? ColorTerm::mirror : ColorTerm::transmitted, color);
 }

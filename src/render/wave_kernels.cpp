@@ -1,14 +1,12 @@
 // The kernels of a wave, compiled once for each instruction set; INSTRUCTION_SET names it.
 //
 // Every formula is a template of the scalar classes, here over as many doubles as one instruction
-// takes. Nothing here may call an inline function that computes with plain doubles: the linker could
-// keep another instruction set's copy.
+// takes. Nothing here may call an inline function that computes with plain doubles: the linker
+// could keep another instruction set's copy.
 #include "render/wave_kernels.h"
 
 #include "math/lanes.h"
-#include "shading/light.h"
 #include "shading/optics.h"
-#include "shading/phong_material.h"
 
 namespace INSTRUCTION_SET {
 
@@ -42,9 +40,9 @@ inline void sampleLight(const LightNumbers& numbers, const WaveSurfaces& surface
       illuminate(all(numbers.place), all(numbers.color), all(numbers.attenuation),
                  load(surfaces.point, k), direction, color, distance);
     }
-    const Mask isInFront = dot(load(surfaces.lit, k), direction) > 0;
-    unsigned bits = lanesOf(surfaces.count - k);
-    if (!numbers.isSeenBehind) bits &= isInFront.bits();
+    const DoubleVector lit = load(surfaces.lit, k);  // 0 on a dark side, which no light reaches
+    const Mask isReached = dot(lit, numbers.isSeenBehind ? lit : direction) > 0;
+    unsigned bits = lanesOf(surfaces.count - k) & isReached.bits();
     compressRow(direction, bits, light.direction, light.count);
     compressRow(color, bits, light.color, light.count);
     lanes::compress(distance, bits, light.tmax + light.count);
@@ -127,8 +125,6 @@ inline void absorb(const ColorFilterTable& filters) {
   }
 }
 
-WaveKernels waveKernels() {
-  return {eyeRays, sampleLight, reflect, mirror, refract, absorb};
-}
+WaveKernels waveKernels() { return {eyeRays, sampleLight, reflect, mirror, refract, absorb}; }
 
 }  // namespace INSTRUCTION_SET

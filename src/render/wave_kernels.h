@@ -5,13 +5,14 @@
 #include "camera/camera.h"
 #include "math/simd_level.h"
 #include "render/wave_tables.h"
+#include "shading/light.h"
 #include "shading/phong_material.h"
 
 /// A camera that has a wide form; see Camera.
 struct EyeFrame {
   bool isPerspective;
   double center[3], direction[3], right[3], up[3];
-  double scale;  ///< the length of the image's longer side: at distance 1, or in the world
+  double scale;  ///< of an image plane's unit: how long it is at distance 1, or in the world
 };
 
 /// A light that has a wide form.
@@ -29,6 +30,12 @@ struct PhongNumbers {
   phong_light::Highlight highlight;
   double diffuse[3], specular[3], exponent;
 };
+
+/// Store what the kernels need of a camera, a light, a material; false, and anything stored, where
+/// it has no wide form. LightNumbers::isSeenBehind is left to the caller.
+bool toNumbers(const Camera& camera, EyeFrame& eye);
+bool toNumbers(const Light& light, LightNumbers& numbers);
+bool toNumbers(const Material& material, PhongNumbers& numbers);
 
 /// How rays go through listed surfaces.
 struct RefractionNumbers {

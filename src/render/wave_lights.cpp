@@ -5,47 +5,9 @@
 //   2. findVisible: the rays are asked together what is in their way. Rows of which nothing arrives
 //      drop out; with tinted shadows the colour becomes what does.
 //   3. reflect: each group of one material adds to its surfaces' sums what they send back.
-#include <typeinfo>
-
 #include "render/transmittance.h"
 #include "render/wave_kernels.h"
 #include "render/wave_tracer.h"
-#include "shading/phong_material.h"
-
-namespace {
-
-/// False where the light has no wide form.
-bool toNumbers(const Light& light, LightNumbers& numbers) {
-  if (typeid(light) == typeid(DirectionalLight)) {
-    const auto& directional = static_cast<const DirectionalLight&>(light);
-    numbers.isPoint = false;
-    copyTo(numbers.place, directional.getDirToLight());
-    copyTo(numbers.color, directional.getColor());
-    return true;
-  }
-  if (typeid(light) != typeid(PointLight)) return false;
-  const auto& point = static_cast<const PointLight&>(light);
-  numbers.isPoint = true;
-  copyTo(numbers.place, point.getPosition());
-  copyTo(numbers.color, point.getColor());
-  copyTo(numbers.attenuation, point.getAttenuation());
-  return true;
-}
-
-/// False where the material has no wide form.
-bool toNumbers(const Material& material, PhongNumbers& numbers) {
-  numbers.isBlinn = typeid(material) == typeid(BlinnPhongMaterial);
-  if (!numbers.isBlinn && typeid(material) != typeid(PhongMaterial)) return false;
-  const auto& phong = static_cast<const PhongMaterial&>(material);
-  if (phong.getDiffuseMap()) return false;
-  copyTo(numbers.diffuse, phong.getDiffuseColor());
-  copyTo(numbers.specular, phong.getSpecularColor());
-  numbers.exponent = double(phong.getExponent());
-  numbers.highlight = phong.getHighlight();
-  return true;
-}
-
-}  // namespace
 
 /// Adds to each sum what light `index` brings there.
 void WaveTracer::addLight(int index, const WaveGeneration& generation,
@@ -77,7 +39,8 @@ void WaveTracer::sampleLight(int index, const WaveGeneration& generation,
       Vec3f color;
       double distance;
       asked.getIllumination(rowOf(surfaces.point, k), direction, color, distance);
-      if (!numbers.isSeenBehind && !(dot(rowOf(surfaces.lit, k), direction) > 0)) continue;
+      const Vec3d lit = rowOf(surfaces.lit, k);
+      if (!(dot(lit, numbers.isSeenBehind ? lit : direction) > 0)) continue;
       light.surface[light.count] = std::uint16_t(k);
       setRowOf(light.direction, light.count, direction);
       setRowOf(light.color, light.count, color);

@@ -98,7 +98,3 @@ struct ColorFilterTable {
   ColorFilterTable(Arena& arena, int rows);
   void add(const ColorFilter& filter, int ofRow);
 };
-
-inline void copyTo(double (&numbers)[3], const Vec3d& v) {
-  for (int axis = 0; axis < 3; ++axis) numbers[axis] = v[axis];
-}

@@ -79,9 +79,9 @@ class WaveTracer::Branches {
       Interface interface = generation_.interfaceOf(surfaces_.ray[k], approach);
       if (next_.index) interface.before = {false, generation_.rays.indexOf(surfaces_.ray[k])};
       const Vec3f factor = shader.factorOf(kind, material, interface, approach);
-      const Outcome outcome = shader.follow(generation_.bounces, surfaces_.weight[k], factor,
-                                            interface.tint, weights_[count]);
-      countEnds(kind, outcome, 1);
+      const Outcome outcome = shader.outcomeOf(generation_.bounces, surfaces_.weight[k], factor,
+                                               interface.tint, weights_[count]);
+      countEnds(outcome, 1);
       if (outcome != Outcome::follows) continue;
       rows_[count] = std::uint16_t(k);
       factors_[count] = factor;
@@ -98,9 +98,9 @@ class WaveTracer::Branches {
     const Interface plain;
     const Vec3f factor = shader.factorOf(kind, material, plain, 0);
     float size = 0;
-    if (shader.follow(generation_.bounces, 1, factor, plain.tint, size) ==
+    if (shader.outcomeOf(generation_.bounces, 1, factor, plain.tint, size) ==
         Outcome::tooManyBounces) {
-      countEnds(kind, Outcome::tooManyBounces, last - first);
+      countEnds(Outcome::tooManyBounces, last - first);
       return 0;
     }
     int count = 0;
@@ -108,15 +108,15 @@ class WaveTracer::Branches {
       rows_[count] = std::uint16_t(k);
       factors_[count] = factor;
       weights_[count] = surfaces_.weight[k] * size;
-      count += weights_[count] >= shader.options().minWeight ? 1 : 0;
+      count += shader.isFaint(weights_[count]) ? 0 : 1;
     }
-    countEnds(kind, Outcome::tooFaint, last - first - count);
+    countEnds(Outcome::tooFaint, last - first - count);
     return count;
   }
 
-  void countEnds(RayKind kind, Outcome outcome, int count) {
+  void countEnds(Outcome outcome, int count) {
     if (!tracer_.counts_ || outcome == Outcome::none || outcome == Outcome::follows) return;
-    for (; count > 0; --count) tracer_.counts_->branchEnds(kind, outcome, 0);
+    tracer_.counts_->addEnds(outcome, std::size_t(count));
   }
 
   void addMirrored(int count) {
@@ -136,7 +136,7 @@ class WaveTracer::Branches {
         tracer_.kernels_.refract(numbers, {surfaces_, {rows_, count}, next_, next_.count}, places_);
     for (int k = 0; k < kept; ++k) append(places_[k], behind_);
     countRays(RayKind::refracted, kept);
-    countEnds(RayKind::refracted, Outcome::totalReflection, count - kept);
+    countEnds(Outcome::totalReflection, count - kept);
   }
 
   /// The ray of place `k` in the list, whose origin and direction are in the table, joins it.
@@ -270,7 +270,8 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
   if (count == 0) return;
   const Arena::Frame frame(arena_);
   WaveSurfaces surfaces(generation.rays, generation.hits, met, count, arena_);
-  setSides(generation, surfaces);
+  setEpsilons(generation, surfaces);
+  setSides(surfaces);
   for (int light = 0; light < tracer_.scene().getNumLights(); ++light) {
     addLight(light, generation, surfaces);
   }
@@ -294,9 +295,8 @@ void WaveTracer::addAmbient(const MaterialGroup& group, const WaveGeneration& ge
                             const WaveSurfaces& surfaces) const {
   const Shader& shader = tracer_.shader();
   const bool isMapped = shader.ambientMap(*group.material) != nullptr;
-  const bool hasDarkSides = shader.options().darkBacks && !shader.options().ambientBacks;
   Vec3d ambient = isMapped ? Vec3d() : shader.ambient(*group.material, Hit());
-  if (!isMapped && !hasDarkSides) {
+  if (!isMapped && !shader.hasBlackSides()) {
     for (int axis = 0; axis < 3; ++axis) {
       double *const sum = surfaces.sum[axis], added = ambient[axis];
       for (int k = group.first; k < group.last; ++k) sum[k] += added;
@@ -304,19 +304,24 @@ void WaveTracer::addAmbient(const MaterialGroup& group, const WaveGeneration& ge
     return;
   }
   for (int k = group.first; k < group.last; ++k) {
-    if (hasDarkSides && rowOf(surfaces.lit, k) == Vec3d()) continue;
+    if (shader.hasBlackSides() && rowOf(surfaces.lit, k) == Vec3d()) continue;
     if (isMapped) ambient = shader.ambient(*group.material, generation.hitOf(surfaces.ray[k]));
     surfaces.add(k, ambient);
   }
 }
 
-/// Sets where rays that leave begin to look, and which side lights see: 0 where none does.
-void WaveTracer::setSides(const WaveGeneration& generation, WaveSurfaces& surfaces) {
-  const Shader& shader = tracer_.shader();
+/// Sets from which t on the rays that leave look for surfaces.
+void WaveTracer::setEpsilons(const WaveGeneration& generation, WaveSurfaces& surfaces) const {
   for (int k = 0; k < surfaces.count; ++k) {
-    surfaces.tmin[k] = double(shader.epsilonAt(generation.hits.magnitude[surfaces.ray[k]]));
+    const double magnitude = generation.hits.magnitude[surfaces.ray[k]];
+    surfaces.tmin[k] = double(tracer_.shader().epsilonAt(magnitude));
   }
-  if (!shader.options().shadeBack && !shader.options().darkBacks) return;
+}
+
+/// Sets which side lights see: none, a normal of 0, where it is dark.
+void WaveTracer::setSides(WaveSurfaces& surfaces) {
+  const Shader& shader = tracer_.shader();
+  if (!shader.options().shadeBack && !shader.hasDarkSides()) return;
   for (double*& column : surfaces.lit) column = arena_.take<double>(std::size_t(surfaces.count));
   for (int k = 0; k < surfaces.count; ++k) {
     const Vec3d normal = rowOf(surfaces.normal, k);
@@ -324,10 +329,4 @@ void WaveTracer::setSides(const WaveGeneration& generation, WaveSurfaces& surfac
     const Vec3d lit = shader.isTurned(approach) ? -normal : normal;
     setRowOf(surfaces.lit, k, shader.isDark(approach) ? Vec3d() : lit);
   }
-}
-
-const WaveKernels& waveKernels(SimdLevel level) {
-  static const WaveKernels kBaseline = baseline::waveKernels(), kAvx2 = avx2::waveKernels(),
-                           kAvx512 = avx512::waveKernels();
-  return level == SimdLevel::avx512 ? kAvx512 : level == SimdLevel::avx2 ? kAvx2 : kBaseline;
 }

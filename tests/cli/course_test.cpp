@@ -19,7 +19,7 @@ TEST("without -course, and with -course 2003, everything is as in 2003") {
   for (const char* words : {"", "-course 2003", "-course 2004 -course 2003"}) {
     const Request request = parse(split(words));
     const RenderOptions& options = optionsOf(request);
-    CHECK(options.shadows && !options.darkBacks);
+    CHECK(options.shadows && options.backs == RenderOptions::Backs::litAsFront);
     CHECK_EQUAL(options.maxBounces, 5);
     CHECK_EQUAL(options.minWeight, 0.01f);
     CHECK(options.epsilon.kind == Epsilon::Kind::automatic);
@@ -33,7 +33,7 @@ TEST("without -course, and with -course 2003, everything is as in 2003") {
 TEST("-course 2004 brings its defaults and rules") {
   const Request request = parse({"-course", "2004"});
   const RenderOptions& options = optionsOf(request);
-  CHECK(!options.shadows && options.darkBacks);
+  CHECK(!options.shadows && options.backs == RenderOptions::Backs::nothing);
   CHECK_EQUAL(options.maxBounces, 0);
   CHECK_EQUAL(options.minWeight, 0.0f);
   CHECK(options.epsilon.kind == Epsilon::Kind::fixed && options.epsilon.value == 0.001);
@@ -52,7 +52,7 @@ TEST("an explicit argument wins over the course's default, before it and behind 
     const RenderOptions options = optionsOf(words);
     CHECK_EQUAL(options.maxBounces, 3);
     CHECK_EQUAL(options.minWeight, 0.1f);
-    CHECK(options.shadows && options.darkBacks);
+    CHECK(options.shadows && options.backs == RenderOptions::Backs::nothing);
     CHECK(options.epsilon.kind == Epsilon::Kind::adaptive);
   }
   CHECK(parse({"-specular_fix"}).render.picture.rules.areHighlightsDimmed);
@@ -128,7 +128,7 @@ TEST("the later courses bring their defaults") {
     CHECK_EQUAL(options.minWeight, name == "aalto" ? 0.1f : 0.0f);
     CHECK(options.epsilon.kind == Epsilon::Kind::fixed);
     CHECK_EQUAL(options.epsilon.value, name == "2016" || name == "2020" ? 0.01 : 0.001);
-    CHECK_EQUAL(options.darkBacks, name == "aalto");
+    CHECK_EQUAL(options.backs == RenderOptions::Backs::ambient, name == "aalto");
   }
 }
 

@@ -179,3 +179,19 @@ TEST("the report names a mesh's triangle, counted from 1") {
            "  hits Group 1 > TriangleMesh 1, FILE:4, triangle 2\n");
   std::remove(mesh.c_str());
 }
+
+TEST("with blended glass the report tells the index that the ray carries") {
+  // Into glass of index 1.5, and in it onto a ball whose outside would be air.
+  RenderOptions options = starting(0.001);
+  options.blendsGlass = true;
+  const std::string report = reportOf(
+      "Background { color 1 1 1 }\n"
+      "Materials { numMaterials 2\n"
+      "  Material { transparentColor 1 1 1 indexOfRefraction 1.5 }\n"
+      "  Material { transparentColor 1 1 1 indexOfRefraction 2 } }\n"
+      "Group { numObjects 2 MaterialIndex 0 Sphere { center 0 0 0 radius 2 }\n"
+      "  MaterialIndex 1 Sphere { center 0 0 0 radius 1 } }\n",
+      options);
+  contains(report, "index before 1, behind 1.5");
+  contains(report, "index before 1.5, behind 2");
+}

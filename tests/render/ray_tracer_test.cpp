@@ -310,8 +310,7 @@ TEST("a dark back sends back no light and no ambient light, but mirrors and lets
   RenderOptions options = bouncing(1);
   const Vec3d below(0, -5, 0);
   CHECK_NEAR_VECTOR(colorTowards(ground, below, kGround, options), continued + local, 1e-6);
-  options.darkBacks = true;
-  options.ambientBacks = false;
+  options.backs = RenderOptions::Backs::nothing;
   CHECK_NEAR_VECTOR(colorTowards(ground, below, kGround, options), continued, 1e-6);
   CHECK_NEAR_VECTOR(colorTowards(ground, kAbove, kGround, options), continued + local, 1e-6);
   // With shadeBack the side that is seen is lit, here by nothing but ambient light.

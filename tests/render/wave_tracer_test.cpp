@@ -130,18 +130,18 @@ TEST("a batch obeys every option that changes a colour") {
 
 TEST("a batch obeys the rules of courses that leave backs dark and dim highlights") {
   SceneRules rules;
-  rules.isHighlightHalfway = rules.areHighlightsDimmed = rules.isWoodGrained = true;
+  rules.isWoodGrained = true;
   rules.noiseSlope = rules.marbleHeight = -1;
-  for (const bool areTextured : {false, true}) {
-    const SceneParser scene = areTextured ? hallOfTextures(rules) : hallOfMirrors(rules);
+  for (int choice = 0; choice < 16; ++choice) {
+    rules.areHighlightsEverywhere = (choice & 1) != 0;
+    rules.isHighlightHalfway = rules.areHighlightsDimmed = !rules.areHighlightsEverywhere;
+    const SceneParser scene = (choice & 2) != 0 ? hallOfTextures(rules) : hallOfMirrors(rules);
     const CompiledScene compiled(*scene.getGroup(), 1);
-    for (const bool shadeBack : {false, true}) {
-      RenderOptions options = scene_text::bouncing(5);
-      options.darkBacks = true;
-      options.ambientBacks = false;
-      options.shadeBack = shadeBack;
-      compare(scene, compiled, options, 256, 0);
-    }
+    RenderOptions options = scene_text::bouncing(5);
+    options.backs =
+        (choice & 4) != 0 ? RenderOptions::Backs::nothing : RenderOptions::Backs::ambient;
+    options.shadeBack = (choice & 8) != 0;
+    compare(scene, compiled, options, 256, 0);
   }
 }
 

@@ -179,12 +179,12 @@ TEST("equal indices reflect nothing, a grazing ray and total reflection everythi
 
 TEST("Schlick's glass mirrors R0 straight on, all at grazing and total reflection") {
   // Into an index of 3: R0 = (2 / 4)^2. At 60 degrees 1 - c is 1/2.
-  CHECK_NEAR(schlickReflectance(-1.0, 1, 3), 0.25, 1e-15);
-  CHECK_NEAR(schlickReflectance(-0.5, 1, 3), 0.25 + 0.75 / 32, 1e-15);
-  CHECK_NEAR(schlickReflectance(-1e-20, 1, 3), 1, 1e-15);
+  CHECK_NEAR(blendedReflectance(-1.0, 1, 3), 0.25, 1e-15);
+  CHECK_NEAR(blendedReflectance(-0.5, 1, 3), 0.25 + 0.75 / 32, 1e-15);
+  CHECK_NEAR(blendedReflectance(-1e-20, 1, 3), 1, 1e-15);
   // Out of it the index behind is 1, so R0 is 0, and c that of the refracted ray: sine 1/5 inside
   // is 3/5 outside, cosine 4/5.
-  CHECK_NEAR(schlickReflectance(1.0, 3, 1), 0, 1e-15);
-  CHECK_NEAR(schlickReflectance(std::sqrt(1 - 0.04), 3, 1), 0.2 * 0.2 * 0.2 * 0.2 * 0.2, 1e-15);
-  CHECK_EQUAL(schlickReflectance(0.5, 3, 1), 1.0);
+  CHECK_NEAR(blendedReflectance(1.0, 3, 1), 0, 1e-15);
+  CHECK_NEAR(blendedReflectance(std::sqrt(1 - 0.04), 3, 1), 0.2 * 0.2 * 0.2 * 0.2 * 0.2, 1e-15);
+  CHECK_EQUAL(blendedReflectance(0.5, 3, 1), 1.0);
 }

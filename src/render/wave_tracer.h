@@ -43,7 +43,8 @@ class WaveTracer {
   const Interface* meet(WaveRays& rays, HitTable& hits);
   void shade(const WaveGeneration& generation, WaveHit* met, int count, Vec3f* colors,
              Vec3d* mixtures);
-  void setSides(const WaveGeneration& generation, WaveSurfaces& surfaces);
+  void setEpsilons(const WaveGeneration& generation, WaveSurfaces& surfaces) const;
+  void setSides(WaveSurfaces& surfaces);
   void addAmbient(const MaterialGroup& group, const WaveGeneration& generation,
                   const WaveSurfaces& surfaces) const;
   void addLight(int index, const WaveGeneration& generation, const WaveSurfaces& surfaces);
