@@ -21,13 +21,22 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The pieces one after the other, numbers with 6 significant digits at most; `inf` for infinity.
+template <class... Pieces>
+std::string joined(const Pieces&... pieces) {
+  std::ostringstream text;
+  (text << ... << pieces);
+  return text.str();
+}
+
 /// Throws UsageError with all the `pieces` in a row.
 template <class... Pieces>
 [[noreturn]] void failUsage(const Pieces&... pieces) {
-  std::ostringstream message;
-  (message << ... << pieces);
-  throw UsageError(message.str());
+  throw UsageError(joined(pieces...));
 }
+
+/// "640 x 480".
+inline std::string sizeText(int width, int height) { return joined(width, " x ", height); }
 
 /// Does what the command line `words`, without the program's own name, asks for and returns the
 /// exit status. Mistakes that end the run at once are thrown: UsageError, InputError, or any other

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/mesh_shading.h"
@@ -58,9 +59,9 @@ class MeshGeometry {
   void setShading(MeshShading shading) { shading_ = std::move(shading); }
 
   /// True once findWhetherClosed has found that the surface encloses a volume.
-  bool isClosed() const { return closed_; }
+  bool isClosed() const { return isClosed_.value_or(false); }
   /// Closed means: after merging vertices at equal positions, every edge belongs to exactly two
-  /// faces, which run along it in opposite directions. Time n log n.
+  /// faces, which run along it in opposite directions. Time n log n; none where it is known.
   void findWhetherClosed();
 
  private:
@@ -83,5 +84,5 @@ class MeshGeometry {
   std::vector<FaceRun> runs_;
   std::vector<Vec3f> extremes_;  // corners of faces on the six sides of the mesh's own box
   MeshShading shading_;
-  bool closed_ = false;
+  std::optional<bool> isClosed_;  // once it is known
 };

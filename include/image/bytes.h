@@ -62,8 +62,11 @@ class ByteReader {
   std::size_t position_ = 0;
 };
 
-/// Numbers with the low byte first, as TGA and PFM have them.
+/// Numbers with the low byte first, as TGA, BMP and PFM have them.
 inline unsigned littleEndian16(const std::uint8_t* bytes) { return bytes[0] + 256u * bytes[1]; }
+inline std::uint32_t littleEndian32(const std::uint8_t* bytes) {
+  return littleEndian16(bytes) | std::uint32_t{littleEndian16(bytes + 2)} << 16;
+}
 /// Appends the `count` <= 4 low bytes of the value.
 void appendLittleEndian(std::uint32_t value, int count, Bytes& bytes);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "math/vec3.h"
+#include "system/memory.h"
 
 struct Rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
@@ -35,13 +36,22 @@ class PixelGrid {
  public:
   /// Without pixels; Width() and Height() are 0.
   PixelGrid() = default;
-  /// Black. width and height are at least 1.
-  PixelGrid(int width, int height);
+  /// Black. width and height are at least 1. On large pages: gigabytes of small ones take the
+  /// system 0.3 s to give back, which a signal that ends the program would wait for; so it is
+  /// 0.02 s.
+  PixelGrid(int width, int height) : width_(width), height_(height) {
+    assert(width >= 1 && height >= 1);
+    const std::size_t count = std::size_t(width) * std::size_t(height);
+    pixels_.reserve(count);
+    preferLargePages(pixels_.data(), count * sizeof(Pixel));
+    pixels_.resize(count);
+  }
 
   int Width() const { return width_; }
   int Height() const { return height_; }
   /// 0 <= x < Width() and 0 <= y < Height().
   const Pixel& getPixel(int x, int y) const { return pixels_[index(x, y)]; }
+  /// Likewise.
   void setPixel(int x, int y, const Pixel& value) { pixels_[index(x, y)] = value; }
 
  protected:
@@ -65,7 +75,10 @@ class Image : public PixelGrid<Rgb8> {
 
   /// Sets the bytes of a colour, see bytesFromColor.
   void setPixel(int x, int y, const Vec3f& color) { setPixel(x, y, bytesFromColor(color)); }
-  void setAllPixels(const Vec3f& color);
+  /// Does that for all pixels.
+  void setAllPixels(const Vec3f& color) {
+    std::fill(pixels_.begin(), pixels_.end(), bytesFromColor(color));
+  }
   /// Red, green and blue of each pixel of row y, from the left: 3 * Width() bytes, owned by this.
   const std::uint8_t* rowBytes(int y) const { return &getPixel(0, y).r; }
 };

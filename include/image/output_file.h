@@ -1,7 +1,8 @@
 // OutputFile: a file that is either the old one or the whole new one.
 // Bytes go to NAME.tmp.PID beside the place, which commit() renames to NAME. What is not a plain
 // file (a device, a FIFO, /dev/stdout, /dev/fd/N, /proc/...) is written in place. The name "-" is
-// standard output, "./-" a file.
+// standard output, "./-" a file. And what a signal that ends the program must know of: these files,
+// and whether a line of standard error is open.
 #pragma once
 #include <cstddef>
 #include <stdexcept>

@@ -43,7 +43,7 @@ void writeTgaRows(int width, int height, const std::function<Bytes(int y)>& row,
                   const std::string& path);
 
 /// The file that writePicture would write by one thread. A TGA's sides are at most 65535 pixels.
-Bytes encodePicture(const Image& image, PictureFormat format, const TgaPlace& place = {});
+Bytes encodePicture(const Image& image, PictureFormat format);
 
 /// Reads a picture, whatever the file is called: PNG, BMP, PPM or PFM where the content begins as
 /// these do, else TGA. Where `exact` is not null and the file has more than 8 bits a sample (PFM,

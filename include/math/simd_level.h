@@ -3,11 +3,13 @@
 // chosen when the program runs. All of them give the same bits. The functions are not inline, as
 // what is compiled for one of the sets includes this.
 #pragma once
+#include <string_view>
 
 /// Which instruction set the kernels use.
 enum class SimdLevel { automatic, baseline, avx2, avx512 };
+/// Their names, in that order.
+inline constexpr std::string_view kSimdNames[] = {"auto", "baseline", "avx2", "avx512"};
 
 /// The best level that this processor has, at most `wanted` where that is not `automatic`.
 SimdLevel availableSimd(SimdLevel wanted);
-/// "baseline", "avx2" or "avx512" (for `automatic`, "auto").
-const char* nameOf(SimdLevel level);
+constexpr const char* nameOf(SimdLevel level) { return kSimdNames[int(level)].data(); }

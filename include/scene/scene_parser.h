@@ -1,7 +1,6 @@
 // SceneParser: reads a scene file and owns everything in it: the one owner of the program.
 // Every other pointer to a camera, light, material, object or mesh is borrowed from here.
 #pragma once
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -93,18 +92,14 @@ class SceneParser {
 
   /// The thinnest closed object of transparent material that is thinner than kThinSolid, the
   /// assignment's epsilon: rays that start so far off its front would miss its back.
-  struct ThinSolid {
-    double thickness = std::numeric_limits<double>::infinity();  ///< in the world; infinite: none
-    std::size_t line = 0;                                        ///< of the scene file
-  };
   static constexpr double kThinSolid = 0.001;
   const ThinSolid& getThinnestSolid() const { return thinnest_; }
 
   /// Finds out which meshes of transparent material enclose a volume, and lists all such solids.
-  /// Needed once, before rendering with
-  /// RenderOptions::transparentShadows, nestedDielectrics or fresnel.
-  void findClosedMeshes();
-  /// What findClosedMeshes has listed; null before.
+  /// Needed once, before rendering with RenderOptions::transparentShadows, nestedDielectrics or
+  /// fresnel: the one change after reading.
+  void findSolids();
+  /// What findSolids has listed; null before.
   const SolidObjects* getSolids() const { return solids_ ? &*solids_ : nullptr; }
 
  private:

@@ -5,7 +5,6 @@
 #include <sys/types.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
 #include <string>
 
@@ -30,6 +29,9 @@ class OpenFile {
   /// Reads up to `size` bytes from `offset` on, again where a signal interrupts; fewer only at the
   /// end of the file. < 0 on failure, and errno then says why.
   ssize_t readAt(off_t offset, void* target, std::size_t size) const;
+
+  /// Writes all of it at `offset`, likewise. False on failure, and errno then says why.
+  bool writeAt(off_t offset, const void* source, std::size_t size) const;
 
   /// Keeps other processes from locking the same file until this one is closed, however its process
   /// ends. False where another one has it and `waits` is false. A file system without locks, or

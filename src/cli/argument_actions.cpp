@@ -117,7 +117,7 @@ void addIdle(Words words, Draft& draft) {
 
 /// The numbers must be right all the same.
 void addTessellation(Words words, Draft& draft) {
-  for (const std::size_t index : {0, 1}) words.integer(index, 1, std::numeric_limits<int>::max());
+  for (std::size_t i = 0; i < 2; ++i) words.integer(i, 1, std::numeric_limits<int>::max());
   addIdle(words, draft);
 }
 
@@ -214,8 +214,8 @@ void setCheckpoint(Words words, Draft& draft) {
 void setGrid(Words words, Draft& draft) {
   Acceleration& acceleration = draft.render.picture.acceleration;
   int cells = 1;  // stays below 2^30
-  for (int axis = 0; axis < 3; ++axis) {
-    acceleration.gridSize[axis] = words.integer(std::size_t(axis), 1, kMaxGridSide);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    acceleration.gridSize[axis] = words.integer(axis, 1, kMaxGridSide);
     cells *= acceleration.gridSize[axis];
   }
   if (cells > kMaxGridCells) {
@@ -262,22 +262,28 @@ void wantHelp(Words words, Draft& draft) {
 // What may follow an argument as its first word. Besides a name -epsilon takes a number.
 constexpr std::string_view kEpsilons[] = {"course", "adaptive"};
 constexpr std::string_view kAccelerators[] = {"fast", "tree"};
-constexpr std::string_view kLevels[] = {"auto", "baseline", "avx2", "avx512"};
 constexpr std::string_view kTopics[] = {"scene",      "course",  "materials", "samples",
                                         "output",     "inside",  "grid",      "parts",
                                         "checkpoint", "compare", "limits"};
 
-/// With groups apart as in the list; each row belongs to runs that render unless it says otherwise.
+/// One that changes no pixel, or only names a file.
+constexpr ArgumentAction unseen(ArgumentAction action) {
+  action.changesPixels = false;
+  return action;
+}
+
+/// With groups apart as in the list; each row belongs to runs that render unless it says otherwise,
+/// and is taken to change pixels.
 constexpr ArgumentAction kActions[] = {
-    {"input", setFile<&PictureRequest::scene>},
+    unseen({"input", setFile<&PictureRequest::scene>}),
     {"course", setCourse, Mode::rendering, kCourseNames},
 
-    {"output", wantPicture<Kind::color>},
+    unseen({"output", wantPicture<Kind::color>}),
     {"size", setSize},
-    {"depth", wantDepth},
-    {"normals", wantPicture<Kind::normals>},
-    {"materials", wantPicture<Kind::materials>},
-    {"heatmap", wantPicture<Kind::heatmap>},
+    unseen({"depth", wantDepth}),
+    unseen({"normals", wantPicture<Kind::normals>}),
+    unseen({"materials", wantPicture<Kind::materials>}),
+    unseen({"heatmap", wantPicture<Kind::heatmap>}),
 
     {"bounces", setInteger<&RenderOptions::maxBounces, 0, kMaxBounces>},
     {"weight", setWeight},
@@ -291,8 +297,8 @@ constexpr ArgumentAction kActions[] = {
     {"box_filter", setFilter<FilterKind::box>},
     {"tent_filter", setFilter<FilterKind::tent>},
     {"gaussian_filter", setFilter<FilterKind::gaussian>},
-    {"render_samples", wantEnlarged<Kind::samples>},
-    {"render_filter", wantEnlarged<Kind::filter>},
+    unseen({"render_samples", wantEnlarged<Kind::samples>}),
+    unseen({"render_filter", wantEnlarged<Kind::filter>}),
 
     {"shadows", set<&RenderOptions::shadows>},
     {"no_shadows", set<&RenderOptions::shadows, false>},
@@ -305,13 +311,13 @@ constexpr ArgumentAction kActions[] = {
     {"region", setRegion},
     {"tile", setBand},
     {"merge", setMerge, Mode::merging},
-    {"checkpoint", setCheckpoint},
-    {"memory_limit", setInteger<&RunRequest::memoryLimit, 1, kMaxMemoryLimit>, Mode::any},
+    unseen({"checkpoint", setCheckpoint}),
+    unseen({"memory_limit", setInteger<&RunRequest::memoryLimit, 1, kMaxMemoryLimit>, Mode::any}),
 
-    {"threads", setInteger<&RunRequest::threads, 1, kMaxThreads>, Mode::any},
-    {"accel", setChoice<&Acceleration::kind>, Mode::rendering, kAccelerators},
+    unseen({"threads", setInteger<&RunRequest::threads, 1, kMaxThreads>, Mode::any}),
+    unseen({"accel", setChoice<&Acceleration::kind>, Mode::rendering, kAccelerators}),
     {"grid", setGrid},
-    {"simd", setChoice<&Acceleration::simd, false>, Mode::rendering, kLevels},
+    unseen({"simd", setChoice<&Acceleration::simd, false>, Mode::rendering, kSimdNames}),
 
     {"compare", setCompare, Mode::comparing},
     {"tolerance", setInteger<&CompareRequest::tolerance, 0, 255>, Mode::comparing},
@@ -320,27 +326,27 @@ constexpr ArgumentAction kActions[] = {
     {"report", setFile<&CompareRequest::report>, Mode::comparing},
     {"csv", setFile<&CompareRequest::csv>, Mode::comparing},
 
-    {"check", set<&Request::check>},
-    {"stats", set<&ResultRequest::stats>},
+    unseen({"check", set<&Request::check>}),
+    unseen({"stats", set<&ResultRequest::stats>}),
     {"pixel", setPixel},
-    {"pixel_obj", wantPicture<Kind::rays>},
+    unseen({"pixel_obj", wantPicture<Kind::rays>}),
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
 
     {"jitter", note<&Draft::isJittered>},
     {"filter", note<&Draft::isFiltered>},
 
-    {"gui", addIdle},
-    {"gouraud", addIdle},
-    {"tessellation", addTessellation},
+    unseen({"gui", addIdle}),
+    unseen({"gouraud", addIdle}),
+    unseen({"tessellation", addTessellation}),
 
-    {"progress", set<&RunRequest::progress>},
-    {"preview", set<&ResultRequest::preview>},
-    {"quiet", setQuiet, Mode::any},
-    {"help", wantHelp, Mode::any, kTopics},
-    {"version", wantText<ProgramText::version>, Mode::any},
-    {"man", wantText<ProgramText::man>, Mode::any},
-    {"completion", wantText<ProgramText::completion>, Mode::any},
+    unseen({"progress", set<&RunRequest::progress>}),
+    unseen({"preview", set<&ResultRequest::preview>}),
+    unseen({"quiet", setQuiet, Mode::any}),
+    unseen({"help", wantHelp, Mode::any, kTopics}),
+    unseen({"version", wantText<ProgramText::version>, Mode::any}),
+    unseen({"man", wantText<ProgramText::man>, Mode::any}),
+    unseen({"completion", wantText<ProgramText::completion>, Mode::any}),
 };
 
 }  // namespace

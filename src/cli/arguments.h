@@ -8,7 +8,8 @@
 #include "scene/wording.h"
 
 /// A request whose arguments are being read. Places on the picture stay as they were given, in
-/// pixels from its top left corner, until its size is known.
+/// pixels from its top left corner, until its size is known. What it has beside the request is then
+/// done with, and cut off.
 struct Draft : Request {
   struct Region {
     int x = 0, y = 0, width = 0, height = 0;
@@ -36,6 +37,9 @@ struct ArgumentAction {
   Mode mode = Mode::rendering;
   /// Words that its first word may be; that of -epsilon may be a number too.
   WordList choices{nullptr, 0};
+  /// False where no words that it may have change a pixel, as those of -threads, and where they
+  /// name files. The fingerprint of a picture passes over it then.
+  bool changesPixels = true;
 };
 
 /// The action of the argument with this name, which is in the table.
@@ -87,8 +91,8 @@ class ArgumentWords {
   /// The name of a picture that is written: likewise, with an ending that is known, or none.
   const std::string& picture(std::size_t index) const;
 
-  /// The place of the first word among the choices of the argument's action; in the message of a
-  /// mistake the nearest one is proposed, unless not `proposes`.
+  /// Likewise of the first word: its place among the choices of the argument's action; in the
+  /// message of a mistake the nearest one is proposed, unless not `proposes`.
   std::size_t choice(bool proposes = true) const;
 
   [[noreturn]] void fail(std::size_t index, const std::string& expected) const;

@@ -244,13 +244,6 @@ void Checkpoint::readTiles() {
 /// At a place and not at the end: where the last try failed half way, as on a full disk, this one
 /// writes over what it left. end_ moves only when all bytes are written.
 void Checkpoint::write(const Bytes& bytes) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t count =
-        pwrite(file_.descriptor(), bytes.data() + done, bytes.size() - done, end_ + off_t(done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) fail(count < 0 ? errno : EIO);
-    done += std::size_t(count);
-  }
-  end_ += off_t(done);
+  if (!file_.writeAt(end_, bytes.data(), bytes.size())) fail(errno);
+  end_ += off_t(bytes.size());
 }

@@ -29,7 +29,7 @@ class Checkpoint : public TileStore {
   /// How much of the pictures was found in the file, from 0 to 1.
   double foundShare() const;
   /// True when the header or something before the last whole tile was damaged; a torn last one is
-  /// no damage: so may end a run that is killed.
+  /// no damage: so may end a run that is killed. (Public for its test.)
   bool wasDamaged() const { return damaged_; }
   /// Tells the user what was found in the file; nothing where it is new.
   void tell() const;

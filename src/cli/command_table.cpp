@@ -2,12 +2,11 @@
 // had been called with them, -output and the picture's name before. So a line may say all that a
 // command can, and is refused with the same words; what does more than render pictures is refused
 // here. Every mistake is told with its line.
-
 #include <filesystem>
 #include <set>
 #include <sstream>
 
-#include "cli/compared_pair.h"
+#include "cli/compare.h"
 #include "image/bytes.h"
 #include "scene/wording.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "cli/compared_pair.h"
+#include "cli/compare.h"
 #include "cli/outputs.h"
 #include "cli/program.h"
 #include "cli/runs.h"
@@ -70,14 +70,12 @@ void checkOutputs(const std::vector<std::string>& pictures, const CompareRequest
   for (const std::string& output : {request.diff, request.report, request.csv}) {
     for (const std::string& other : others) {
       if (!isSameOutput(other, output)) continue;
-      throw UsageError("-compare: expected different files, found '" + other + "' and '" + output +
-                       "'");
+      failUsage("-compare: expected different files, found '", other, "' and '", output, "'");
     }
     others.push_back(output);
     if (quiet || !isSameOutput(output, "-")) continue;
-    throw UsageError(
-        "-compare: expected standard output for the figures (which -quiet leaves out), found '" +
-        output + "' there");
+    failUsage("-compare: expected standard output for the figures (which -quiet leaves out), ",
+              "found '", output, "' there");
   }
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "cli/compared_pair.h"
+#include "cli/compare.h"
 #include "image/output_file.h"
 #include "scene/source_text.h"
 #include "scene/wording.h"
@@ -80,7 +80,7 @@ std::vector<Figure> figuresOf(const ComparedPair& pair, const CompareRequest& re
     const Comparison& f = *pair.comparison;
     const std::string worst = joined(f.worstX, ' ', f.worstY);
     const std::string box = joined(f.boxX, ' ', f.boxY, ' ', f.boxWidth, ' ', f.boxHeight);
-    figures.insert(figures.end(), {{"size", sizeText(pair.actualSize)},
+    figures.insert(figures.end(), {{"size", pair.actualSize.text()},
                                    {"maximum", joined(f.maximum)},
                                    {"mean", joined(f.mean)},
                                    {"rms", joined(f.rms)},
@@ -90,8 +90,8 @@ std::vector<Figure> figuresOf(const ComparedPair& pair, const CompareRequest& re
                                    {"worst pixel", f.maximum == 0 ? "none" : worst},
                                    {"box", f.pixelsOver == 0 ? "none" : box}});
   } else if (!pair.isAtFault()) {
-    figures.push_back({"expected size", sizeText(pair.expectedSize)});
-    figures.push_back({"actual size", sizeText(pair.actualSize)});
+    figures.push_back({"expected size", pair.expectedSize.text()});
+    figures.push_back({"actual size", pair.actualSize.text()});
   }
   figures.push_back({"result", nameOf(pair.result)});
   return figures;

@@ -3,14 +3,13 @@
 // Pictures of two folders are paired by their paths below them. Endings may differ, so that a TGA
 // can be compared with the PNG it was converted to; a path that is the same with its ending goes
 // first.
-#include "cli/compared_pair.h"
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
 #include <tuple>
 
+#include "cli/compare.h"
 #include "image/bytes.h"
 
 namespace {
@@ -51,8 +50,6 @@ const char* nameOf(Result result) {
                                            "unreadable"};
   return kNames[int(result)];
 }
-
-std::string sizeText(ComparedPair::Size size) { return joined(size.width, " x ", size.height); }
 
 std::string inFolder(const std::string& folder, const std::string& name) {
   return name.empty() ? "" : (fs::path(folder) / name).string();
@@ -116,10 +113,9 @@ void comparePictures(const ReadPicture& expected, const ReadPicture& actual,
                      const CompareRequest& request, ComparedPair& pair) {
   pair.expectedSize = {expected.image.Width(), expected.image.Height()};
   pair.actualSize = {actual.image.Width(), actual.image.Height()};
-  if (pair.expectedSize.width != pair.actualSize.width ||
-      pair.expectedSize.height != pair.actualSize.height) {
-    pair.fail(Result::different, "expected " + sizeText(pair.expectedSize) + " pixels, found " +
-                                     sizeText(pair.actualSize));
+  if (pair.expectedSize.text() != pair.actualSize.text()) {
+    pair.fail(Result::different,
+              "expected " + pair.expectedSize.text() + " pixels, found " + pair.actualSize.text());
   } else {
     pair.comparison = compare(expected, actual, request.tolerance);
     const bool isOver = pair.comparison->percentOver() > request.failPercent;

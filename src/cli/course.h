@@ -30,16 +30,16 @@ struct Course {
   RenderOptions render;
   SceneRules scene;
   CellRules cells;
-  PictureFormat format = PictureFormat::tga;  ///< of pictures whose names have no ending
-  bool isNearBlack = false;                   ///< -depth MIN MAX is black at MIN and white at MAX
-  bool hasSignedNormals = false;              ///< -normals shows (n + 1) / 2, not |n|
-  /// What -uniform_samples asks for; -regular_samples always asks for a grid.
-  SamplingOptions::Pattern uniformSamples = SamplingOptions::Pattern::uniform;
-  /// Whether -jitter and -filter, which its pages' commands have, are taken.
-  bool hasJitter = false;
   /// The row that holds instead where the scene has glass, or -bounces says more than 0; or null.
   /// It has the same name and language.
   const Course* withBounces = nullptr;
+  PictureFormat format = PictureFormat::tga;  ///< of pictures whose names have no ending
+  /// What -uniform_samples asks for; -regular_samples always asks for a grid.
+  SamplingOptions::Pattern uniformSamples = SamplingOptions::Pattern::uniform;
+  bool isNearBlack = false;       ///< -depth MIN MAX is black at MIN and white at MAX
+  bool hasSignedNormals = false;  ///< -normals shows (n + 1) / 2, not |n|
+  /// Whether -jitter and -filter, which its pages' commands have, are taken.
+  bool hasJitter = false;
   /// Two words without a dash are the scene and the picture.
   bool hasBareFiles = false;
   /// Whether -gui, -gouraud and -tessellation, which its pages' commands have, are taken.

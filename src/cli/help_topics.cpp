@@ -7,9 +7,13 @@
 
 namespace {
 
-/// Each text begins behind its first line break.
-constexpr HelpTopic kTopicTexts[] = {
-    {"scene", "scene files: an example, every field, the grammar", 1 + R"(
+/// The text begins behind its first line break.
+constexpr HelpTopic topic(const char* name, const char* summary, const char* text) {
+  return {name, summary, text + 1};
+}
+
+constexpr HelpTopic kTopics[] = {
+    topic("scene", "scene files: an example, every field, the grammar", R"(
 A scene file is text: words with white space between them. { and } are words of
 their own even when glued to another word. # or // at the start of a word begins
 a comment, to the end of the line. Lines may end in LF or CR LF, and the file
@@ -206,9 +210,9 @@ GRAMMAR
   step     = Translate V | Scale V | UniformScale F
            | XRotate F | YRotate F | ZRotate F | Rotate { V F }
            | Matrix { F ^ 16 }
-)"},
+)"),
 
-    {"course", "-course: what differs from year to year", 1 + R"(
+    topic("course", "-course: what differs from year to year", R"(
 The course is given every year, with other words in its scenes and other rules
 for a pixel. -course NAME chooses whose hold; an argument that is given besides
 wins over a default, whatever their order. Nothing is guessed from the scene; a
@@ -384,9 +388,9 @@ AND SCENES OF THE OTHERS
   raytracer -course thu scenes/courses/thu_balls.txt j.bmp
   raytracer -course aalto -input scenes/courses/aalto_glass.txt -size 200 200 \
     -bounces 4 -regular_samples 9 -output k.png
-)"},
+)"),
 
-    {"materials", "kinds of material, textures, glass, tinted shadows", 1 + R"(
+    topic("materials", "kinds of material, textures, glass, tinted shadows", R"(
 The fields of every kind of material are in 'raytracer -help scene'.
 
 COLOUR OF A SURFACE
@@ -525,9 +529,9 @@ cos)^5, R being that colour (Schlick, 1994). The weight of a ray is multiplied
 by the length of (F, F, F) or of (1 - F, 1 - F, 1 - F) (of an open surface times
 its colour), after the dimming of the way to the surface in each component. A
 clear ball of index 1 vanishes, but takes two bounces.
-)"},
+)"),
 
-    {"samples", "several rays in a pixel, filters, adaptive samples", 1 + R"(
+    topic("samples", "several rays in a pixel, filters, adaptive samples", R"(
 Without any of these options one ray goes through the centre of each pixel.
 
 PATTERNS AND FILTERS
@@ -580,9 +584,9 @@ those already taken included. In a filter a pixel counts the same with few
 samples as with many. MIN is rounded up to a square and MAX to this times a
 power of 4. -render_samples shows where the rays went. With TOLERANCE 1 the
 image is that of -jittered_samples MIN.
-)"},
+)"),
 
-    {"output", "formats, exit status, messages, warnings, preview", 1 + R"(
+    topic("output", "formats, exit status, messages, warnings, preview", R"(
 IMAGES AND THEIR FORMATS
 The ending of an image's name picks its format, in small letters or capitals:
   .tga  TGA, 24 bits, not compressed
@@ -666,9 +670,9 @@ THE SAME BYTES EVERYWHERE
 An image is a pure function of the scene and the arguments: the same bytes for
 any number of threads, compiler, optimisation, processor and -simd. Arithmetic
 is double; a byte is int(255 c), cut off and not rounded.
-)"},
+)"),
 
-    {"inside", "-pixel, -stats, -heatmap, -materials, -check", 1 + R"(
+    topic("inside", "-pixel, -stats, -heatmap, -materials, -check", R"(
 THE RAYS OF ONE PIXEL
   raytracer -input scenes/33_one_ray.txt -pixel 38 48 -pixel_obj rays.obj
 
@@ -740,9 +744,9 @@ THE SCENE ALONE
 
 reads the scene and its meshes, renders nothing, and reports every mistake with
 its line, up to 100 of them, and all warnings ('raytracer -help output').
-)"},
+)"),
 
-    {"grid", "the uniform grid and pictures of its cells", 1 + R"(
+    topic("grid", "the uniform grid and pictures of its cells", R"(
 -grid NX NY NZ finds hits through a uniform grid in place of the tree: each cell
 lists the spheres and triangles, those of meshes and inside Transforms too,
 whose surface has a part in it (of spheres that Transforms squash, the box), and
@@ -768,9 +772,9 @@ part (boxes alone count where they fill more than 2^26 cells together). With
   1 white, 2 violet, 3 blue, 4 cyan, 5 to 8 green, 9 to 16 yellow, 17 to 32
   orange, more red
 The scenes 31_grid_cells and 32_grid_counts show both.
-)"},
+)"),
 
-    {"parts", "-region, -tile, -merge; many machines", 1 + R"(
+    topic("parts", "-region, -tile, -merge; many machines", R"(
   raytracer -input SCENE -size W H -output part.tga -region X Y W2 H2
   raytracer -input SCENE -size W H -output part.tga -tile I N
   raytracer -merge OUT PART...
@@ -825,9 +829,9 @@ cancelled, ...), merge.log names the rows. Then tile 33, for example, again:
   job=$(sbatch --parsable --array=33 tile.sbatch 64 \
     -input scene.txt -size 1920 1080)
   sbatch --dependency=afterok:$job merge.sbatch out.tga
-)"},
+)"),
 
-    {"checkpoint", "long renders that may be ended and taken up again", 1 + R"(
+    topic("checkpoint", "long renders that may be ended and taken up again", R"(
   raytracer -input SCENE -output out.tga ... -checkpoint out.checkpoint
 
 keeps the tiles of all images but that of -heatmap in out.checkpoint, each as
@@ -850,9 +854,9 @@ plain files, which are read a second time. To try it:
   raytracer -input scenes/20_still_life.txt -size 1200 900 \
     -output b.tga -checkpoint c
   cmp a.tga b.tga
-)"},
+)"),
 
-    {"compare", "comparing pictures, folders, tables of commands; grading", 1 + R"topic(
+    topic("compare", "comparing pictures, folders, tables of commands; grading", R"topic(
   raytracer -compare EXPECTED ACTUAL [-tolerance N] [-fail_percent P]
             [-diff FILE] [-report FILE.html] [-csv FILE]
 
@@ -914,9 +918,9 @@ The column given of grades.csv says whose row each is, of missing pictures too:
 Files that claim to hold enormous pictures are refused before memory is asked
 for: those that are too short for them, and PNG files that would take more than
 128 MB and more than 256 times their size.
-)topic"},
+)topic"),
 
-    {"limits", "how much of everything; memory; epsilon", 1 + R"(
+    topic("limits", "how much of everything; memory; epsilon", R"(
   Groups and Transforms    1000 deep inside each other
   -bounces                 0 to 10000; -threads 1 to 1024
   -grid                    1 to 1024 cells along an axis, 2^24 in all
@@ -952,12 +956,12 @@ numbers at the hit: no absolute constant is in it. Glass thinner than the
 constant makes adaptive the default too, and where -epsilon says otherwise a
 warning tells of it: the thickness of a closed transparent object is the
 shortest side of its own box as its Transforms stretch it.
-)"},
+)"),
 };
 
 }  // namespace
 
 const std::vector<HelpTopic>& helpTopics() {
-  static const std::vector<HelpTopic> topics(std::begin(kTopicTexts), std::end(kTopicTexts));
+  static const std::vector<HelpTopic> topics(std::begin(kTopics), std::end(kTopics));
   return topics;
 }

@@ -13,8 +13,7 @@
 
 /// What -stats prints.
 struct Stats {
-  std::string simd;  ///< the instruction set in use, "none" for the plain object tree
-  std::string tree;  ///< CompiledScene::describe(), or "plain object tree"
+  std::string simd, tree;  ///< SceneGeometry's simd() and description()
   int threads = 0;
   std::size_t pictureBytes = 0;  ///< of textures and cube maps
   double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;

@@ -53,7 +53,7 @@ class PartsInRow {
 };
 
 /// Pixels left <= x < right of rows top <= y < bottom, counted from 0 at the top and left.
-struct Place {
+struct Area {
   int left, top, right, bottom;
 };
 
@@ -63,10 +63,10 @@ std::string spanText(const char* one, int from, int to) {
   return std::string(one) + "s " + std::to_string(from) + " to " + std::to_string(to - 1);
 }
 
-std::string placeText(const Place& place, int width) {
-  std::string rows = spanText("row", place.top, place.bottom);
-  if (place.left == 0 && place.right == width) return rows;
-  return spanText("pixel", place.left, place.right) + " of " + rows;
+std::string areaText(const Area& area, int width) {
+  std::string rows = spanText("row", area.top, area.bottom);
+  if (area.left == 0 && area.right == width) return rows;
+  return spanText("pixel", area.left, area.right) + " of " + rows;
 }
 
 /// Whether parts make up a whole picture: which files overlap and where, which pixels no part holds
@@ -82,7 +82,7 @@ class Cover {
     for (int top = *edge++; edge != edges.end(); top = *edge++) {
       checkBand(top, *edge, inRow.goTo(top));
     }
-    for (const Place& gap : gaps_) report(gap);
+    for (const Area& gap : gaps_) report(gap);
   }
 
   /// Empty where each pixel is in one part.
@@ -105,36 +105,36 @@ class Cover {
   }
 
   /// Joined to a gap of the same pixels in the band above.
-  void addGap(const Place& place) {
-    for (Place& gap : gaps_) {
-      if (gap.bottom != place.top || gap.left != place.left || gap.right != place.right) continue;
-      gap.bottom = place.bottom;
+  void addGap(const Area& area) {
+    for (Area& gap : gaps_) {
+      if (gap.bottom != area.top || gap.left != area.left || gap.right != area.right) continue;
+      gap.bottom = area.bottom;
       return;
     }
-    if (gaps_.size() < kMostComplaints) gaps_.push_back(place);
+    if (gaps_.size() < kMostComplaints) gaps_.push_back(area);
   }
 
   /// Each two parts are told of once, although they may meet in many rows.
   void addOverlap(const PartFile& a, const PartFile& b) {
     if (mistakes_.size() >= kMostComplaints || !overlapping_.insert({&a, &b}).second) return;
-    const Place both = {std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.right(), b.right()),
-                        std::min(a.bottom(), b.bottom())};
+    const Area both = {std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.right(), b.right()),
+                       std::min(a.bottom(), b.bottom())};
     mistakes_.push_back(a.path + " and " + b.path + ": expected parts that do not overlap, found " +
-                        placeText(both, width_) + " in both");
+                        areaText(both, width_) + " in both");
   }
 
   /// -region takes X Y W H.
-  void report(const Place& gap) {
+  void report(const Area& gap) {
     const int rows = gap.bottom - gap.top;
     const bool isOne = rows == 1 && gap.left == 0 && gap.right == width_;
-    mistakes_.push_back("no part holds " + placeText(gap, width_) + "; -region " +
+    mistakes_.push_back("no part holds " + areaText(gap, width_) + "; -region " +
                         std::to_string(gap.left) + " " + std::to_string(gap.top) + " " +
                         std::to_string(gap.right - gap.left) + " " + std::to_string(rows) +
                         " renders " + (isOne ? "it" : "them"));
   }
 
   const int width_;
-  std::vector<Place> gaps_;
+  std::vector<Area> gaps_;
   std::set<std::pair<const PartFile*, const PartFile*>> overlapping_;
   std::vector<std::string> mistakes_;
 };
@@ -154,12 +154,9 @@ Parts readParts(const std::vector<std::string>& paths, std::vector<std::string>&
 
 /// How a part of another picture than `expected` differs.
 std::string differenceText(const PartId& expected, const PartId& found) {
-  const auto sizeText = [](const PartId& id) {
-    return std::to_string(id.width) + " x " + std::to_string(id.height) + " pixels";
-  };
-  if (found.width != expected.width || found.height != expected.height) {
-    return sizeText(found) + " instead of " + sizeText(expected);
-  }
+  const std::string wanted = sizeText(expected.width, expected.height) + " pixels";
+  const std::string size = sizeText(found.width, found.height) + " pixels";
+  if (size != wanted) return size + " instead of " + wanted;
   if (found.kind != expected.kind) return "its " + found.kind + " instead of its " + expected.kind;
   return "another scene, other meshes, pictures or arguments";
 }

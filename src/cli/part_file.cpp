@@ -1,9 +1,16 @@
-// PartFile: the header of a part is that of our TGAs (see image/tga.h) but for the image ID and the
-// origin. Byte 0 of the 18 is the length of the ID, 2 the type (2: colours as they are), 8 to 15
-// are X, Y, width and height, the low byte first, 16 the bits of a pixel, 17 the descriptor (0x20:
-// top row first). Then come the ID and the rows, BGR. Whatever has another header, ID or length is
-// no part, or a damaged one: each check has its own message, from "no such thing" to "cut off", so
-// that a user with hundreds of files sees at once what happened to one.
+// The fingerprint of a picture is one SHA-256 over all that decides on its pixels, one after the
+// other: version, scene, the files it reads, kinds of pictures, arguments. Texts go in with their
+// lengths before them, numbers as 8 bytes, so that no two lists of them give the same bytes ("ab"
+// "c" and "a" "bc"). Arguments count as they were given, word by word: that is stricter than need
+// be, but a new argument cannot be forgotten. Parts in users' folders bear this fingerprint: its
+// order stays as it is.
+//
+// The header of a part is that of our TGAs (see image/tga.cpp) but for the image ID and the origin.
+// Byte 0 of the 18 is the length of the ID, 2 the type (2: colours as they are), 8 to 15 are X, Y,
+// width and height, the low byte first, 16 the bits of a pixel, 17 the descriptor (0x20: top row
+// first). Then come the ID and the rows, BGR. Whatever has another header, ID or length is no part,
+// or a damaged one: each check has its own message, from "no such thing" to "cut off", so that a
+// user with hundreds of files sees at once what happened to one.
 #include "cli/part_file.h"
 
 #include <algorithm>
@@ -11,10 +18,96 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <sstream>
+#include <stdexcept>
 
-#include "cli/fingerprint.h"
+#include "cli/arguments.h"
+#include "math/number.h"
 #include "scene/input_error.h"
+#include "system/worker_threads.h"
+
+namespace {
+
+using Kind = OutputRequest::Kind;
+
+constexpr std::size_t kPiece = std::size_t(1) << 20;
+constexpr std::size_t kStack = 1 << 18;
+
+[[noreturn]] void failFile(const std::string& path, const std::string& reason) {
+  throw std::runtime_error(path + ": cannot be read for the fingerprint: " + reason);
+}
+
+void addText(std::string_view text, Sha256& hash) {
+  hash.addNumber(text.size());
+  hash.add(text);
+}
+
+/// What of the arguments that name files changes pixels.
+void addPictures(const ResultRequest& results, Sha256& hash) {
+  const OutputRequest* const depth = results.find(Kind::depth);
+  const OutputRequest* const samples = results.find(Kind::samples);
+  hash.addNumber(results.find(Kind::color) != nullptr);
+  hash.addNumber(depth != nullptr);
+  hash.addNumber(bitsOf(depth ? depth->depthMin : 0));
+  hash.addNumber(bitsOf(depth ? depth->depthMax : 0));
+  hash.addNumber(results.find(Kind::normals) != nullptr);
+  hash.addNumber(samples != nullptr);
+  hash.addNumber(std::uint64_t(samples ? samples->zoom : 1));
+  if (results.find(Kind::materials)) addText("materials", hash);
+}
+
+/// In the order in which they were given: of two filters or patterns the last one holds.
+void addArguments(const std::vector<GivenArgument>& arguments, Sha256& hash) {
+  for (const GivenArgument& given : arguments) {
+    if (!findArgument(given.name)->action->changesPixels) continue;
+    addText(given.name, hash);
+    hash.addNumber(given.words.size());
+    for (const std::string& word : given.words) addText(word, hash);
+  }
+}
+
+}  // namespace
+
+/// In pieces, because SHA-256 itself goes from block to block and cannot be shared among threads.
+/// No more than one piece a thread is in memory.
+Digest fileDigest(const std::string& path, int threads) {
+  const OpenFile file(path);
+  if (!file.isOpen()) failFile(path, std::strerror(errno));
+  const off_t length = file.regularSize();  // asked for once: it may change
+  if (length < 0) failFile(path, "expected a plain file, which can be read twice");
+  const auto size = std::size_t(length);
+  const std::size_t count = (size + kPiece - 1) / kPiece;
+  std::vector<Digest> pieces(count);
+  shareOnThreads(threads, kStack, count, [&](std::size_t i) {
+    Bytes bytes(std::min(kPiece, size - i * kPiece));
+    const ssize_t read = file.readAt(off_t(i * kPiece), bytes.data(), bytes.size());
+    if (read < 0) failFile(path, std::strerror(errno));
+    if (std::size_t(read) < bytes.size()) failFile(path, "it has become shorter");
+    pieces[i] = sha256(bytes.data(), bytes.size());
+  });
+  Sha256 hash;
+  for (const Digest& piece : pieces) hash.add(piece);
+  hash.addNumber(size);
+  return hash.finish();
+}
+
+Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
+                          const Digest& scene, const std::vector<std::string>& inputFiles,
+                          int threads) {
+  Sha256 hash;
+  addText(versionText(), hash);
+  hash.add(scene);
+  hash.addNumber(inputFiles.size());
+  std::map<std::string, Digest> known;  // a file that is named a thousand times is read once
+  for (const std::string& file : inputFiles) {
+    if (known.count(file) == 0) known[file] = fileDigest(file, threads);
+    hash.add(known[file]);
+  }
+  addPictures(results, hash);
+  addArguments(given, hash);
+  return hash.finish();
+}
 
 namespace {
 

@@ -16,7 +16,6 @@
 #include "cli/arguments.h"
 #include "cli/outputs.h"
 #include "cli/runs.h"
-#include "cli/scene_setup.h"
 #include "image/output_file.h"
 #include "system/memory.h"
 #include "system/worker_threads.h"

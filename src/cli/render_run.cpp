@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "cli/checkpoint.h"
-#include "cli/fingerprint.h"
 #include "cli/inspection.h"
 #include "cli/part_file.h"
 #include "cli/program.h"
@@ -74,6 +72,7 @@ class RenderRun {
   int write();
 
  private:
+  void openCheckpoint(RenderTargets& targets);
   void traceRays(RenderTargets targets, RunDisplay& display);
   void inspect(const Object3D& geometry, const MaterialColors& materialColors);
 
@@ -115,8 +114,7 @@ bool RenderRun::prepareOutputs() {
 void RenderRun::trace() {
   const PictureRequest& picture = request_.picture;
   const ResultRequest& results = request_.results;
-  const std::string size = std::to_string(picture.area.width()) + " x " +
-                           std::to_string(picture.area.height()) + " pixels";
+  const std::string size = sizeText(picture.area.width(), picture.area.height()) + " pixels";
   if (!wantsRays(outputs_) && (results.stats || (results.preview && !previewOf(outputs_)))) {
     outputs_.emplace_back(OutputRequest());  // colours, which are not written
   }
@@ -125,13 +123,7 @@ void RenderRun::trace() {
     return targetsOf(picture, outputs_);
   });
   const bool isTraced = wantsRays(outputs_);
-  if (isTraced && !run_.checkpoint.empty()) {
-    const Digest fingerprint = pictureFingerprint(results, request_.given, notes_.digest,
-                                                  scene_.getInputFiles(), run_.threads);
-    checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
-    if (!run_.quiet) checkpoint_->tell();
-    targets.store = checkpoint_.get();
-  }
+  if (isTraced && !run_.checkpoint.empty()) openCheckpoint(targets);
   const Output* const shown = results.preview ? previewOf(outputs_) : nullptr;
   RunDisplay display(run_.progress, shown && isTraced ? &shown->image : nullptr,
                      shown ? shown->zoom : 1);
@@ -140,6 +132,14 @@ void RenderRun::trace() {
     withMemory("to render " + size, [&] { traceRays(targets, display); });
   }
   if (shown && !isTraced) status_ = print(pictureText(shown->image));
+}
+
+void RenderRun::openCheckpoint(RenderTargets& targets) {
+  const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
+                                                scene_.getInputFiles(), run_.threads);
+  checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
+  if (!run_.quiet) checkpoint_->tell();
+  targets.store = checkpoint_.get();
 }
 
 void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {

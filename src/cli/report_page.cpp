@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "cli/compared_pair.h"
+#include "cli/compare.h"
 #include "image/picture_file.h"
 
 namespace {

@@ -202,8 +202,8 @@ void checkComplete(const Draft& draft) {
   }
 }
 
-std::string sizeText(const PictureRequest& picture) {
-  return std::to_string(picture.width) + " x " + std::to_string(picture.height) + " pixels";
+std::string pixelsText(const PictureRequest& picture) {
+  return sizeText(picture.width, picture.height) + " pixels";
 }
 
 /// No picture is enlarged beyond the largest there is. That of a filter has a pixel more.
@@ -214,7 +214,7 @@ void checkZooms(const RenderRequest& render) {
     const int most = room / std::max(picture.width, picture.height);
     if (output.zoom <= most) continue;
     failUsage(output.argument(), ": expected a ZOOM of at most ", most, " for an image of ",
-              sizeText(picture), ", found '", output.zoom, "'");
+              pixelsText(picture), ", found '", output.zoom, "'");
   }
 }
 
@@ -250,7 +250,7 @@ void checkPart(const Draft& draft) {
 PixelRectangle areaOf(const Draft::Region& region, const PictureRequest& picture) {
   const int right = region.x + region.width, bottom = region.y + region.height;
   if (right > picture.width || bottom > picture.height) {
-    failUsage("-region: expected a part of the image of ", sizeText(picture),
+    failUsage("-region: expected a part of the image of ", pixelsText(picture),
               ", found one that ends ", right, " pixels from the left and ", bottom,
               " from the top");
   }
@@ -263,7 +263,7 @@ PixelRectangle areaOf(const Draft::Band& band, const PictureRequest& picture) {
   const int height = picture.height;
   if (band.count > height) {
     failUsage("-tile: expected an N of at most ", height, ", the rows of an image of ",
-              sizeText(picture), ", found '", band.count, "'");
+              pixelsText(picture), ", found '", band.count, "'");
   }
   const auto rowsAbove = [&](int bands) { return int(std::int64_t(bands) * height / band.count); };
   return {0, height - rowsAbove(band.number), picture.width, height - rowsAbove(band.number - 1)};

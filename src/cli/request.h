@@ -6,14 +6,13 @@
 // wins.
 #pragma once
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "accel/compiled_scene.h"
 #include "accel/grid/grid_frame.h"
 #include "cli/course.h"
 #include "cli/program.h"
+#include "math/simd_level.h"
 #include "render/image_plane.h"
 #include "render/render_options.h"
 #include "scene/scene_parser.h"
@@ -121,7 +120,7 @@ struct RenderRequest {
 /// Pictures compared.
 struct CompareRequest {
   std::string expected;    ///< a picture or a folder; empty: nothing is compared
-  std::string actual;      ///< a picture, a folder, or a table of commands (see compared_pair.h)
+  std::string actual;      ///< a picture, a folder, or a table of commands (see compare.h)
   int tolerance = 1;       ///< levels, 0..255: differences up to it do not count
   double failPercent = 0;  ///< pictures are different when more of their pixels than this differ
   std::string diff;        ///< picture of the differences; empty = not wanted, as for the others

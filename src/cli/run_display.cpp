@@ -81,10 +81,10 @@ TerminalPicture::TerminalPicture(int width, int height, const TerminalSize& term
 }
 
 /// In 64 bits, as pixels times cells may pass 2^31.
-void TerminalPicture::add(const Image& image, int left, int bottom, int right, int top) {
-  for (int j = bottom; j < top; ++j) {
+void TerminalPicture::add(const Image& image, const PixelRectangle& area) {
+  for (int j = area.bottom; j < area.top; ++j) {
     const auto row = std::size_t((height_ - 1 - j) * std::int64_t(rows_) / height_);
-    for (int i = left; i < right; ++i) {
+    for (int i = area.left; i < area.right; ++i) {
       const auto column = std::size_t(i * std::int64_t(columns_) / width_);
       Cell& cell = cells_[row * std::size_t(columns_) + column];
       const Rgb8 pixel = image.getPixel(i, j);
@@ -127,7 +127,7 @@ std::string TerminalPicture::text() const {
 
 std::string pictureText(const Image& image) {
   TerminalPicture picture(image.Width(), image.Height(), terminalSize());
-  picture.add(image, 0, 0, image.Width(), image.Height());
+  picture.add(image, {0, 0, image.Width(), image.Height()});
   return picture.text();
 }
 
@@ -165,8 +165,8 @@ void RunDisplay::tileIsDone(const PixelRectangle& area, double eyeRays) {
   const std::lock_guard<std::mutex> lock(mutex_);
   rays_ += eyeRays;
   if (picture_) {
-    picture_->add(*image_, area.left * zoom_, area.bottom * zoom_, area.right * zoom_,
-                  area.top * zoom_);
+    picture_->add(*image_,
+                  {area.left * zoom_, area.bottom * zoom_, area.right * zoom_, area.top * zoom_});
   }
   const Clock::time_point now = Clock::now();
   if (now < nextTime_) return;

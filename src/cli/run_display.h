@@ -26,8 +26,8 @@ class TerminalPicture {
 
   int lines() const { return (rows_ + 1) / 2; }
 
-  /// Adds the pixels left <= i < right, bottom <= j < top of the picture, each of them once.
-  void add(const Image& image, int left, int bottom, int right, int top);
+  /// Adds the pixels of `area` of the picture, each of them once.
+  void add(const Image& image, const PixelRectangle& area);
   /// The whole of it, with a line break behind each line: each cell the mean of its pixels so far.
   std::string text() const;
 
@@ -46,7 +46,8 @@ class TerminalPicture {
 /// A picture in coloured characters, as large as the window that standard output is.
 std::string pictureText(const Image& image);
 
-/// "42 %, 1.5 M eye rays/s, 12 s left", or, where all is done, the time it took.
+/// "42 %, 1.5 M eye rays/s, 12 s left", or, where all is done, the time it took. (Public for its
+/// test.)
 std::string progressText(double rays, double allRays, double seconds);
 
 class RunDisplay : public TileListener {

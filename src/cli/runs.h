@@ -9,6 +9,10 @@
 /// and returns the exit status. Throws UsageError, InputError, std::runtime_error.
 int renderScene(const RenderRequest& request, const RunRequest& run);
 
+/// Of -check: reads the scene, prints all mistakes, or that there are none, and returns the exit
+/// status.
+int checkScene(const PictureRequest& picture, bool quiet);
+
 /// Reads the scene and renders the outputs that are wanted, without writing them. Prints the
 /// scene's warnings unless -quiet is given. Throws InputError, std::runtime_error.
 std::vector<Output> renderPictures(const RenderRequest& request, const RunRequest& run);

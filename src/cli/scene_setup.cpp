@@ -13,6 +13,7 @@
 #include "accel/grid/grid_view.h"
 #include "accel/test_tally.h"
 #include "cli/program.h"
+#include "cli/runs.h"
 #include "render/sampler.h"
 #include "scene/input_error.h"
 #include "scene/source_text.h"
@@ -54,8 +55,7 @@ void warnOfSamples(const SamplingOptions& wanted, const Course& course) {
 }
 
 /// An automatic epsilon looks at the thickness itself.
-void warnOfThinGlass(const SceneParser::ThinSolid& thinnest, const Epsilon& epsilon,
-                     const std::string& file) {
+void warnOfThinGlass(const ThinSolid& thinnest, const Epsilon& epsilon, const std::string& file) {
   if (epsilon.kind != Epsilon::Kind::fixed || thinnest.thickness >= epsilon.value) return;
   std::ostringstream text;
   text << "warning: " << file << ":" << thinnest.line << ": the transparent object is "
@@ -92,7 +92,7 @@ void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet)
   }
   // These ask what a ray is inside of, which only a closed mesh can tell.
   if (options.transparentShadows || options.nestedDielectrics || options.fresnel) {
-    withMemory("to find closed meshes", [&] { scene.findClosedMeshes(); });
+    withMemory("to find closed meshes", [&] { scene.findSolids(); });
   }
 }
 

@@ -25,10 +25,6 @@ SceneParser readScene(RenderRequest& render, const RunRequest& run, ReadNotes& n
 /// Prints the warnings, unless `quiet`, and finds out what rendering will ask.
 void prepareScene(SceneParser& scene, const PictureRequest& picture, bool quiet);
 
-/// The run of -check of the scene: prints all mistakes, or that there are none, and returns the
-/// exit status.
-int checkScene(const PictureRequest& picture, bool quiet);
-
 /// What answers for the objects of a scene: the compiled scene, a grid, the cells of a grid, or the
 /// objects themselves.
 class SceneGeometry {

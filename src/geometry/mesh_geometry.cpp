@@ -143,6 +143,7 @@ void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
 }
 
 void MeshGeometry::findWhetherClosed() {
+  if (isClosed_) return;
   const std::vector<std::uint32_t> numbers = numberPositions(vertices_);
   std::vector<std::uint64_t> edges, reversed;
   edges.reserve(3 * faces_.size());
@@ -158,6 +159,6 @@ void MeshGeometry::findWhetherClosed() {
   }
   std::sort(edges.begin(), edges.end());
   std::sort(reversed.begin(), reversed.end());
-  closed_ = !edges.empty() && !hasPoints && edges == reversed &&
-            std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+  isClosed_ = !edges.empty() && !hasPoints && edges == reversed &&
+              std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }

@@ -12,10 +12,6 @@ constexpr std::size_t kFileHead = 14, kInfoHead = 40;
 constexpr std::uint32_t kInfoHeads[] = {40, 52, 56, 108, 124};
 enum Compression : std::uint32_t { kPlain = 0, kMasks = 3 };
 
-std::uint32_t littleEndian32(const std::uint8_t* bytes) {
-  return littleEndian16(bytes) | std::uint32_t{littleEndian16(bytes + 2)} << 16;
-}
-
 /// Bytes of a row.
 std::uint64_t strideOf(std::uint64_t width, unsigned bits) { return (width * bits + 31) / 32 * 4; }
 

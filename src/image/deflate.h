@@ -159,7 +159,7 @@ constexpr std::size_t kMostExpansion = 258 * 8 / 2;
 
 /// Decompresses a deflate stream that begins at byte `position` of `input`, and sets `position`
 /// behind its last byte. Memory grows with what is decoded. Throws InflateError for data that is
-/// at fault or cut off, or that gives more than `most` bytes.
+/// at fault or cut off, or that gives more than `most` bytes. (Public for its test.)
 Bytes inflate(const Bytes& input, std::size_t& position, std::size_t most);
 
 /// The same for a zlib stream, which must take up all of `input`: a two-byte head without a preset

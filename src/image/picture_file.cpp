@@ -99,16 +99,15 @@ PictureFormat formatOf(const std::string& path, PictureFormat unnamed) {
 void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place,
                   PictureFormat unnamed) {
   const PictureFormat format = formatOf(path, unnamed);
+  const int width = image.Width(), height = image.Height();
   // TGA has 16 bits for each side. Told before the file is opened, which stays as it is.
-  if (format == PictureFormat::tga && std::max(image.Width(), image.Height()) > 65535) {
-    throw OutputError(path, "a TGA image is at most 65535 pixels wide and high, this one is " +
-                                std::to_string(image.Width()) + " x " +
-                                std::to_string(image.Height()));
+  const std::string size =
+      ", this one is " + std::to_string(width) + " x " + std::to_string(height);
+  if (format == PictureFormat::tga && std::max(width, height) > 65535) {
+    throw OutputError(path, "a TGA image is at most 65535 pixels wide and high" + size);
   }
-  if (format == PictureFormat::bmp && double(image.Width()) * image.Height() > 0x1p30) {
-    throw OutputError(path, "a BMP image has at most 2^30 pixels here, this one is " +
-                                std::to_string(image.Width()) + " x " +
-                                std::to_string(image.Height()));
+  if (format == PictureFormat::bmp && double(width) * height > 0x1p30) {
+    throw OutputError(path, "a BMP image has at most 2^30 pixels here" + size);
   }
   write(path, [&](const Sink& sink) { encode(image, format, threads, place, sink); });
 }
@@ -123,9 +122,9 @@ void writeTgaRows(int width, int height, const std::function<Bytes(int y)>& row,
   write(path, [&](const Sink& sink) { encodeTga(width, height, row, {}, sink); });
 }
 
-Bytes encodePicture(const Image& image, PictureFormat format, const TgaPlace& place) {
+Bytes encodePicture(const Image& image, PictureFormat format) {
   Bytes all;
-  encode(image, format, 1, place,
+  encode(image, format, 1, {},
          [&all](const Bytes& piece) { all.insert(all.end(), piece.begin(), piece.end()); });
   return all;
 }

@@ -6,7 +6,6 @@
 // (0x20), then interleaving, which nobody uses. A packet's first byte says how many pixels less one
 // (the lower 7 bits), and whether one pixel follows for all of them (the highest bit) or each of
 // them.
-#include <algorithm>
 #include <cassert>
 
 #include "image/picture_file.h"

@@ -1,4 +1,5 @@
-// SimdLevel: what the processor says that it has.
+// SimdLevel: what the processor says that it has. (Not in the header: what sources for one
+// instruction set compile may be what all others then call.)
 #include "math/simd_level.h"
 
 SimdLevel availableSimd(SimdLevel wanted) {
@@ -15,9 +16,4 @@ SimdLevel availableSimd(SimdLevel wanted) {
   }
 #endif
   return wanted == SimdLevel::automatic || wanted > best ? best : wanted;
-}
-
-const char* nameOf(SimdLevel level) {
-  constexpr const char* kNames[] = {"auto", "baseline", "avx2", "avx512"};
-  return kNames[int(level)];
 }

@@ -20,6 +20,7 @@ namespace {
 /// units, and those of planes alone, which span nothing; but not where glass is thinner than it.
 Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   if (epsilon.kind != Epsilon::Kind::automatic) return epsilon;
+  static_assert(SceneParser::kThinSolid == Epsilon::kCourse, "thinner glass is looked for");
   const double span = scene.getSpan();
   const bool hasThinGlass = scene.getThinnestSolid().thickness < Epsilon::kCourse;
   const bool isUsual = (span == 0 || (span >= 1 && span <= 1000)) && !hasThinGlass;

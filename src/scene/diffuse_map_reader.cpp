@@ -1,4 +1,6 @@
-// MaterialReader: what a material may say in place of one diffuse colour: a picture, or noise.
+// MaterialReader: what a material may say in place of one diffuse colour: a picture, or noise. Both
+// are kept apart from the materials, by the PictureLibrary and the scene, and each material that
+// has one is told of it.
 #include "scene/scene_reader.h"
 #include "scene/wording.h"
 

@@ -155,7 +155,7 @@ bool FieldReader::readOpenFields(std::string_view owner, const char* start, Fiel
     if (Value* const value = fields.find(word_, next); value != fields.end()) {
       readField(*value, readOwn);
       next = value + 1;
-    } else if (const Languages languages = fields.languagesOf(word_)) {
+    } else if (const Languages languages = fields.languagesOfField(word_)) {
       skipUnknown(owner, fields.names(), languages);
     } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, fields))) {
       closeBlock(owner);

@@ -4,7 +4,7 @@
 // There is one path for reading and for checking: a mistake is reported, and if the log does not
 // throw, reading goes on behind it. How far a mistake reaches is guessed by the words around it: up
 // to the block's }, or to a word that plainly begins something else. Every loop over words either
-// consumes one or ends.
+// consumes one or ends. A `const char*` called `at` or `start` is a place in the text.
 #pragma once
 #include <array>
 #include <functional>
@@ -51,7 +51,7 @@ class Fields {
   Value* find(std::string_view word, Value* next);
   std::vector<std::string_view> names() const;
   /// The languages in which the block has a field of that name.
-  Languages languagesOf(std::string_view name) const;
+  Languages languagesOfField(std::string_view name) const;
 
   Value* begin() { return values_.data(); }
   Value* end() { return values_.data() + count_; }
@@ -83,6 +83,8 @@ class FieldReader {
 
   /// In which the text is written.
   Language language() const { return language_; }
+  /// Whether objects stand in nodes there, in place of Groups: 2020.
+  bool hasNodes() const { return language_ == Language::of2020; }
 
   /// The current word; empty at the end of the input.
   std::string_view word() const { return word_; }
@@ -109,12 +111,12 @@ class FieldReader {
   void reportFound(const char* at, const std::string& expected);
   /// The word that begins at `at`; and in quotes, for messages.
   std::string_view wordAt(const char* at) const;
+  std::string quotedAt(const char* at) const { return quoted(wordAt(at)); }
   /// Whether all mistakes are collected, as for -check.
   bool isChecking() const { return log_.mode() == MistakeLog::Mode::collect; }
   /// The file name that begins at `at`, with the quotes around it where it has some; empty where
   /// the second one is missing.
   std::string_view fileNameAt(const char* at) const;
-  std::string quotedAt(const char* at) const { return quoted(wordAt(at)); }
   /// While quiet, mistakes are counted but not reported.
   void setQuiet(bool isQuiet) { isQuiet_ = isQuiet; }
   std::size_t mistakeCount() const { return mistakeCount_; }
@@ -127,8 +129,8 @@ class FieldReader {
   /// Passes over the current word and over a block in braces behind it.
   void skipWordAndBlock();
   /// Reports a word that `owner` does not know, and passes over it and what belongs to it. True
-  /// where that was a whole block in braces.
-  /// `languages`, where not 0, are those in which the block has such a field.
+  /// where that was a whole block in braces. `languages`, where not 0, are those in which the block
+  /// has such a field.
   bool skipUnknown(std::string_view owner, WordList allowed, Languages languages = 0);
 
   // Values: field_reader.cpp. Each function reports what is wrong and returns false then.

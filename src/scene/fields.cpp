@@ -55,7 +55,7 @@ std::vector<std::string_view> Fields::names() const {
   return names;
 }
 
-Languages Fields::languagesOf(std::string_view name) const {
+Languages Fields::languagesOfField(std::string_view name) const {
   Languages languages = 0;
   for (const Field& field : kFields) {
     const auto isOfBlock = [&](const Value& value) { return value.field->block == field.block; };

@@ -73,9 +73,8 @@ const Material* MaterialReader::materialFor(std::string_view owner, const char* 
     return current_.material;
   }
   if (!isMissed_) {
-    const bool hasNodes = in_.language() == Language::of2020;
     in_.report(at, std::string("expected a ") +
-                       (hasNodes ? "Component<Material>" : "MaterialIndex") +
+                       (in_.hasNodes() ? "Component<Material>" : "MaterialIndex") +
                        " before the first object, found " + quoted(owner));
   }
   isMissed_ = true;
@@ -85,7 +84,7 @@ const Material* MaterialReader::materialFor(std::string_view owner, const char* 
 std::unique_ptr<Material> MaterialReader::read() {
   const std::string_view owner = in_.word();
   in_.advance();
-  if (in_.language() == Language::of2020) return readNodeMaterial(owner);
+  if (in_.hasNodes()) return readNodeMaterial(owner);
   if (isOneOf(owner, kTextureWords)) return readTexture(owner);
   const bool isPhong =
       owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";

@@ -4,12 +4,18 @@
 // folders, beside the scene again: scenes that were moved keep working. The first file that is
 // there and can be read is taken; what was found out is kept, by name, so that a million objects
 // with one mesh look for it once, and a missing one is told once.
+//
+// Names that lead to one file share what was read of it. What is broken is kept as null, so that
+// its mistakes are told once too.
 #include "scene/named_files.h"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "image/picture_file.h"
+#include "scene/obj_reader.h"
 #include "scene/wording.h"
+#include "system/worker_threads.h"
 
 namespace {
 
@@ -88,4 +94,91 @@ std::vector<std::string> NamedFiles::candidates(std::string_view name) const {
     }
   }
   return paths;
+}
+
+// Meshes.
+
+const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
+  isNew = false;
+  const auto readNew = [&](const std::string& path, const std::string& key, std::string& reason) {
+    if (byPath_.count(key) > 0) return true;
+    return isNew = read(path, key, name, reason);
+  };
+  const std::string& path = files_.find(name, name.data(), readNew);
+  return path.empty() ? nullptr : byPath_[path];
+}
+
+/// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then null is
+/// kept in its place. What a mesh tells of its corners is read from one text too, as it is asked
+/// for seldom. False, and a reason, where the file cannot be read.
+bool MeshLibrary::read(const std::string& path, const std::string& key, std::string_view name,
+                       std::string& reason) {
+  const std::size_t mistakesBefore = log_.count();
+  warnings_.clear();
+  MeshGeometry mesh;
+  const ObjDetails details = {rules_.keepsTextureCoordinates, rules_.usesFileNormals};
+  // Without faces it may be no OBJ file at all.
+  if (details.any() || !readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
+    std::string bytes;
+    if (!readWholeFile(path, bytes, reason)) return false;
+    mesh = readText(path, std::move(bytes), placeOf(name), details);
+  }
+  const MeshGeometry*& kept = byPath_[key];
+  if (log_.count() > mistakesBefore) return true;
+  const bool isFlat = rules_.meshNormals == MeshNormals::flat ||
+                      mesh.getVertices().size() <= rules_.mostFlatVertices;
+  if (!isFlat) makeSmooth(mesh, rules_.meshNormals);
+  meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
+  kept = meshes_.back().get();
+  return true;
+}
+
+/// Lines may end in CR alone. What is no OBJ file at all is a mistake.
+MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, std::size_t place,
+                                   const ObjDetails& details) {
+  const auto reportKind = [&](const std::string& kind) {
+    log_.add(place, InputError(path, 0, "expected an OBJ file, found what looks like " + kind));
+    return MeshGeometry();
+  };
+  const std::string kind = otherKindOf(bytes);
+  if (!kind.empty()) return reportKind(kind);
+  if (bytes.find('\n') == bytes.npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+  const std::size_t mistakesBefore = log_.count();
+  const SourceText text(path, std::move(bytes));
+  MeshGeometry mesh = readObj(text, log_, place, warnings_, details);
+  const bool isNothing = mesh.getVertices().empty() && log_.count() == mistakesBefore;
+  return isNothing && isBinary(text.bytes()) ? reportKind("a binary file") : std::move(mesh);
+}
+
+// Pictures.
+
+const ImageTexture* PictureLibrary::find(std::string_view name, const char* at) {
+  // A picture that is there and broken is a mistake; another of its name is not looked for.
+  const auto read = [&](const std::string& path, const std::string& key, std::string&) {
+    if (byPath_.count(key) > 0) return true;
+    const ImageTexture*& kept = byPath_[key];
+    try {
+      pictures_.push_back(std::make_unique<ImageTexture>(readImage(path)));
+      kept = pictures_.back().get();
+    } catch (const ImageError& error) {
+      files_.report(at, "cannot read the picture " + quoted(name) + "; " + error.what());
+    }
+    return true;
+  };
+  const std::string& path = files_.find(name, at, read);
+  return path.empty() ? nullptr : byPath_[path];
+}
+
+std::optional<CubeMap> PictureLibrary::findCube(std::string_view folder, std::string_view ending) {
+  CubeMap::Pictures faces;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const std::string start = unquoted(folder) + "/" + std::string(CubeMap::kFaces[i]) + ".";
+    std::string name = start + std::string(ending);
+    for (const char* const other : kPictureEndings) {
+      if (!files_.exists(name) && files_.exists(start + other)) name = start + other;
+    }
+    faces[i] = find(name, folder.data());
+    if (!faces[i]) return std::nullopt;
+  }
+  return CubeMap(faces);
 }

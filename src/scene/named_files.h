@@ -1,14 +1,22 @@
-// NamedFiles: the files of one kind that a scene names, such as its meshes: where each is looked
-// for, and which names mean the same one, so that it is read once.
+// NamedFiles: the files of one kind that a scene names: where each is looked for, and which names
+// mean the same one, so that it is read once. MeshLibrary and PictureLibrary: what is read of them.
 #pragma once
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "geometry/mesh_geometry.h"
 #include "scene/input_error.h"
+#include "scene/scene_rules.h"
 #include "scene/source_text.h"
+#include "shading/background.h"
+#include "shading/diffuse_map.h"
+
+struct ObjDetails;
 
 class NamedFiles {
  public:
@@ -49,3 +57,65 @@ class NamedFiles {
 
 /// A name without the quotes around it, in which \" stands for a quote.
 std::string unquoted(std::string_view name);
+
+/// The meshes that a scene names, each file read once.
+class MeshLibrary {
+ public:
+  /// Reads on behalf of `scene` into `meshes`, as `rules` say; all but these must outlive the
+  /// library.
+  MeshLibrary(const SourceText& scene, MistakeLog& log,
+              std::vector<std::unique_ptr<MeshGeometry>>& meshes, const SceneRules& rules)
+      : scene_(scene), log_(log), files_(scene, log, "mesh"), meshes_(meshes), rules_(rules) {}
+
+  /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be; see
+  /// NamedFiles. Null where there were mistakes, which are reported the first time. `isNew` tells
+  /// whether the file was read just now. Not owned by the caller.
+  const MeshGeometry* find(std::string_view name, bool& isNew);
+  /// What is to be said of the mesh that find() has read last.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  const NamedFiles& files() const { return files_; }
+
+ private:
+  bool read(const std::string& path, const std::string& key, std::string_view name,
+            std::string& reason);
+  MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place,
+                        const ObjDetails& details);
+  std::size_t placeOf(std::string_view name) const {
+    return std::size_t(name.data() - scene_.bytes().data());
+  }
+
+  const SourceText& scene_;
+  MistakeLog& log_;
+  NamedFiles files_;
+  std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
+  const SceneRules rules_;
+  std::vector<std::string> warnings_;
+  std::map<std::string, const MeshGeometry*> byPath_;  // as files_ finds them
+};
+
+/// The pictures that a scene names, for textures and cube maps: in any format that image/ reads,
+/// each file once.
+class PictureLibrary {
+ public:
+  /// Reads on behalf of `scene` into `pictures`; both, and `log`, must outlive the library.
+  PictureLibrary(const SourceText& scene, MistakeLog& log,
+                 std::vector<std::unique_ptr<ImageTexture>>& pictures)
+      : files_(scene, log, "picture"), pictures_(pictures) {}
+
+  /// The picture that the scene, at `at`, calls `name`; see NamedFiles. Null where there was a
+  /// mistake, which is reported the first time. Not owned by the caller.
+  const ImageTexture* find(std::string_view name, const char* at);
+  const ImageTexture* find(std::string_view name) { return find(name, name.data()); }
+  /// Of the six pictures in a folder that the scene calls `folder` (a view into its bytes):
+  /// "left.bmp" and so on, for CubeMap::kFaces. Where there is no file with `ending`, one with that
+  /// of another format is taken, kPictureEndings. std::nullopt after a mistake.
+  std::optional<CubeMap> findCube(std::string_view folder, std::string_view ending);
+
+  const NamedFiles& files() const { return files_; }
+
+ private:
+  NamedFiles files_;
+  std::vector<std::unique_ptr<ImageTexture>>& pictures_;
+  std::map<std::string, const ImageTexture*> byPath_;  // null for one that is broken
+};

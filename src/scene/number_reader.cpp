@@ -5,7 +5,6 @@
 //     is one, which knows no locale; else a stream in the classic one.
 #include "scene/number_reader.h"
 
-#include <algorithm>
 #include <charconv>
 #include <locale>
 #include <sstream>

@@ -68,8 +68,8 @@ bool resolveIndices(std::vector<ObjChunk>& chunks, std::size_t vertexCount) {
 
 /// All elements of one kind, in one piece; the chunks' own are freed on the way.
 template <class T>
-std::vector<T> joined(std::vector<ObjChunk>& chunks, std::vector<T> ObjChunk::*elements,
-                      std::size_t count) {
+std::vector<T> inOnePiece(std::vector<ObjChunk>& chunks, std::vector<T> ObjChunk::*elements,
+                          std::size_t count) {
   std::vector<T> all;
   all.reserve(count);
   preferLargePages(all.data(), count * sizeof(T));
@@ -177,8 +177,8 @@ bool join(std::vector<ObjChunk>& chunks, const OpenFile& file, const ObjReading&
   std::vector<Vec3f> vertices;
   std::vector<MeshGeometry::Face> faces;
   shareOnThreads(chunks.size() > 1 ? 2 : 1, 0, 2, [&](std::size_t kind) {
-    if (kind == 0) vertices = joined(chunks, &ObjChunk::vertices, vertexCount);
-    if (kind == 1) faces = joined(chunks, &ObjChunk::faces, faceCount);
+    if (kind == 0) vertices = inOnePiece(chunks, &ObjChunk::vertices, vertexCount);
+    if (kind == 1) faces = inOnePiece(chunks, &ObjChunk::faces, faceCount);
   });
   Vec3d origin = MeshGeometry::kZero;
   if (!placeVertices(file, how, faces, vertices, origin)) return false;
@@ -285,58 +285,4 @@ std::optional<std::string_view> readStatements(const OpenFile& file, std::size_t
     const std::string_view statements = bytes.substr(first, last - first);
     return number == 0 ? withoutByteOrderMark(statements) : statements;
   }
-}
-
-// Meshes by the names that a scene gives them.
-
-const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
-  isNew = false;
-  const auto readNew = [&](const std::string& path, const std::string& key, std::string& reason) {
-    if (byPath_.count(key) > 0) return true;
-    return isNew = read(path, key, name, reason);
-  };
-  const std::string& path = files_.find(name, name.data(), readNew);
-  return path.empty() ? nullptr : byPath_[path];
-}
-
-/// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then null is
-/// kept in its place. What a mesh tells of its corners is read from one text too, as it is asked
-/// for seldom. False, and a reason, where the file cannot be read.
-bool MeshLibrary::read(const std::string& path, const std::string& key, std::string_view name,
-                       std::string& reason) {
-  const std::size_t mistakesBefore = log_.count();
-  warnings_.clear();
-  MeshGeometry mesh;
-  const ObjDetails details = {rules_.keepsTextureCoordinates, rules_.usesFileNormals};
-  // Without faces it may be no OBJ file at all.
-  if (details.any() || !readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
-    std::string bytes;
-    if (!readWholeFile(path, bytes, reason)) return false;
-    mesh = readText(path, std::move(bytes), placeOf(name), details);
-  }
-  const MeshGeometry*& kept = byPath_[key];
-  if (log_.count() > mistakesBefore) return true;
-  const bool isFlat = rules_.meshNormals == MeshNormals::flat ||
-                      mesh.getVertices().size() <= rules_.mostFlatVertices;
-  if (!isFlat) makeSmooth(mesh, rules_.meshNormals);
-  meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
-  kept = meshes_.back().get();
-  return true;
-}
-
-/// Lines may end in CR alone. What is no OBJ file at all is a mistake.
-MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, std::size_t place,
-                                   const ObjDetails& details) {
-  const auto reportKind = [&](const std::string& kind) {
-    log_.add(place, InputError(path, 0, "expected an OBJ file, found what looks like " + kind));
-    return MeshGeometry();
-  };
-  const std::string kind = otherKindOf(bytes);
-  if (!kind.empty()) return reportKind(kind);
-  if (bytes.find('\n') == bytes.npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
-  const std::size_t mistakesBefore = log_.count();
-  const SourceText text(path, std::move(bytes));
-  MeshGeometry mesh = readObj(text, log_, place, warnings_, details);
-  const bool isNothing = mesh.getVertices().empty() && log_.count() == mistakesBefore;
-  return isNothing && isBinary(text.bytes()) ? reportKind("a binary file") : std::move(mesh);
 }

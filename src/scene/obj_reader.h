@@ -1,4 +1,6 @@
-// Reading OBJ meshes: the statements v and f; all others are passed over.
+// Reading OBJ meshes: the statements v and f, and where they are asked for vt and vn; all others
+// are passed over. A face of more than three corners is a fan first (readObjChunk), and is cut into
+// triangles that follow its outline when all vertices are known (cutOutline, geometry/polygon.h).
 //
 // A file is cut into chunks of whole statements, and several threads take them by turns. The reader
 // of a chunk knows nothing of what stands before it: it takes for granted that there are enough
@@ -12,8 +14,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +21,6 @@
 
 #include "geometry/mesh_geometry.h"
 #include "scene/input_error.h"
-#include "scene/named_files.h"
-#include "scene/scene_rules.h"
 #include "scene/source_text.h"
 #include "system/files.h"
 
@@ -53,42 +51,6 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
 /// to be meant, is said in `warnings`, each ending in the line.
 MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
                      std::vector<std::string>& warnings, const ObjDetails& details = {});
-
-/// Finds the mesh files that a scene names and reads each of them once.
-class MeshLibrary {
- public:
-  /// Reads on behalf of `scene` into `meshes`, as `rules` say; all but these must outlive the
-  /// library.
-  MeshLibrary(const SourceText& scene, MistakeLog& log,
-              std::vector<std::unique_ptr<MeshGeometry>>& meshes, const SceneRules& rules)
-      : scene_(scene), log_(log), files_(scene, log, "mesh"), meshes_(meshes), rules_(rules) {}
-
-  /// The mesh that the scene calls `name` (a view into the scene's bytes), read if need be; see
-  /// NamedFiles. Null where there were mistakes, which are reported the first time. `isNew` tells
-  /// whether the file was read just now. Not owned by the caller.
-  const MeshGeometry* find(std::string_view name, bool& isNew);
-  /// What is to be said of the mesh that find() has read last.
-  const std::vector<std::string>& warnings() const { return warnings_; }
-
-  const NamedFiles& files() const { return files_; }
-
- private:
-  bool read(const std::string& path, const std::string& key, std::string_view name,
-            std::string& reason);
-  MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place,
-                        const ObjDetails& details);
-  std::size_t placeOf(std::string_view name) const {
-    return std::size_t(name.data() - scene_.bytes().data());
-  }
-
-  const SourceText& scene_;
-  MistakeLog& log_;
-  NamedFiles files_;
-  std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
-  const SceneRules rules_;
-  std::vector<std::string> warnings_;
-  std::map<std::string, const MeshGeometry*> byPath_;  // as files_ finds them
-};
 
 // The steps of reading, for their sources and tests.
 

@@ -1,4 +1,9 @@
 // Objects of a scene file: primitives, meshes, Groups, and Transforms with their steps.
+//
+// A Group and a Transform are read by recursion, the object inside before the one around it, so
+// that each is made of what is there already. The steps of a Transform become one matrix, the first
+// step leftmost: what is in it meets the last one first. An object with a mistake in it is null and
+// left out; what stands around it is read on.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

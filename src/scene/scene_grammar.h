@@ -212,7 +212,7 @@ using WordArray = std::array<std::string_view, count>;
 
 /// One list behind the other.
 template <std::size_t n, std::size_t m>
-constexpr WordArray<n + m> joined(const WordArray<n>& first, const WordArray<m>& second) {
+constexpr WordArray<n + m> bothOf(const WordArray<n>& first, const WordArray<m>& second) {
   WordArray<n + m> words{};
   for (std::size_t i = 0; i < n + m; ++i) words[i] = i < n ? first[i] : second[i - n];
   return words;
@@ -223,29 +223,31 @@ inline constexpr WordArray<6> kSectionWords = {"OrthographicCamera", "Perspectiv
 inline constexpr WordArray<2> kLightWords = {"DirectionalLight", "PointLight"};
 inline constexpr WordArray<4> kTextureWords = {"Checkerboard", "Noise", "Marble", "Wood"};
 inline constexpr auto kMaterialWords =
-    joined(WordArray<6>{"PhongMaterial", "Material", "BlinnPhongMaterial", "CookTorranceMaterial",
+    bothOf(WordArray<6>{"PhongMaterial", "Material", "BlinnPhongMaterial", "CookTorranceMaterial",
                         "WardMaterial", "OrenNayarMaterial"},
            kTextureWords);
 inline constexpr WordArray<6> kObjectWords = {"Group", "Transform", "Sphere",
                                               "Plane", "Triangle",  "TriangleMesh"};
 /// What may stand in a Group after its count.
 inline constexpr auto kGroupWords =
-    joined(kObjectWords, joined(WordArray<1>{"MaterialIndex"}, kMaterialWords));
-/// All that may stand in the Transform of a texture, and what may in that of an object.
-inline constexpr auto kStepWords = [] {
-  WordArray<8> words{};
-  for (std::size_t i = 0; i < words.size(); ++i) words[i] = kSteps[i].name;
+    bothOf(kObjectWords, bothOf(WordArray<1>{"MaterialIndex"}, kMaterialWords));
+/// So many steps from one on.
+template <std::size_t first, std::size_t count>
+constexpr WordArray<count> stepNames() {
+  WordArray<count> words{};
+  for (std::size_t i = 0; i < count; ++i) words[i] = kSteps[first + i].name;
   return words;
-}();
-inline constexpr auto kTransformWords = joined(kStepWords, kObjectWords);
+}
+/// All that may stand in the Transform of a texture, and what may in that of an object.
+inline constexpr auto kStepWords = stepNames<0, 8>();
+inline constexpr auto kTransformWords = bothOf(kStepWords, kObjectWords);
 /// In 2020: the sections, the steps of a Transform, and what may stand in a Node.
 inline constexpr WordArray<4> kNodeSectionWords = {"Background", "Camera", "Materials", "Scene"};
-inline constexpr WordArray<5> kNodeStepWords = {"translate", "scale", "x_rotate", "y_rotate",
-                                                "z_rotate"};
+inline constexpr auto kNodeStepWords = stepNames<9, 5>();
 inline constexpr WordArray<5> kNodeWords = {"Transform", "Component<Material>", "Component<Object>",
                                             "Component<Light>", "Node"};
 /// What places on the way to an object are called.
-inline constexpr auto kPlaceWords = joined(kObjectWords, WordArray<2>{"Scene", "Node"});
+inline constexpr auto kPlaceWords = bothOf(kObjectWords, WordArray<2>{"Scene", "Node"});
 inline constexpr WordArray<1> kNodeMaterialWords = {"Material"};
 /// The types of objects and lights there; and the blocks that have the fields of each.
 inline constexpr WordArray<4> kShapeTypes = {"sphere", "plane", "triangle", "mesh"};

@@ -1,9 +1,12 @@
 // SceneParser: reading from outside, and questions about the scene as a whole.
+//
+// Reading to render and reading to check are one path, SceneReader: for the one its log throws the
+// first mistake, for the other it collects them. What a scene does not keep (where things stand in
+// its text) is gone when the reader is.
 #include "scene/scene_parser.h"
 
 #include <set>
 
-#include "geometry/triangle_mesh.h"
 #include "scene/input_error.h"
 #include "scene/number_reader.h"
 #include "scene/scene_reader.h"
@@ -58,12 +61,11 @@ double SceneParser::getSpan() const {
   return box.longestSide();
 }
 
-void SceneParser::findClosedMeshes() {
+void SceneParser::findSolids() {
   std::set<const MeshGeometry*> wanted;
-  for (const auto& object : objects_) {
-    const auto* mesh = dynamic_cast<const TriangleMesh*>(object.get());
-    if (mesh && mesh->getMaterial()->isTransparent()) wanted.insert(&mesh->getGeometry());
-  }
+  visitTransparent(group_, Matrix(), [&](const Object3D&, const MeshGeometry* mesh, const Matrix&) {
+    wanted.insert(mesh);
+  });
   for (const auto& mesh : meshes_) {
     if (wanted.count(mesh.get()) > 0) mesh->findWhetherClosed();
   }

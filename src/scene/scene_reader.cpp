@@ -1,13 +1,14 @@
 // The sections of a scene file, and the small ones themselves: camera, lights, background.
+//
+// Sections may come in any order, but Materials before the first Group. Each is read by its name up
+// to the `}` that ends it; what is no section is reported once, and passed over up to the next one.
+// At the end comes what can only be said of the whole: what is missing, given twice, or probably
+// not meant so.
 #include "scene/scene_reader.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "camera/camera.h"
-#include "geometry/sphere.h"
-#include "geometry/transform.h"
-#include "geometry/triangle_mesh.h"
 #include "math/functions.h"
 
 namespace {
@@ -42,7 +43,7 @@ void SceneReader::read() {
 }
 
 void SceneReader::readSection() {
-  if (in_.language() == Language::of2020) return readNodeSection();
+  if (in_.hasNodes()) return readNodeSection();
   const std::string_view word = in_.word();
   if (!isOneOf(word, kSectionWords)) return readMisplaced();
   in_.setQuiet(false);
@@ -92,12 +93,11 @@ void SceneReader::readMisplaced() {
   if (in_.isAt('}')) {
     in_.report(in_.at(), "expected a section, found '}' without a block to end");
     in_.advance();
-  } else if (isOneOf(word, kGroupWords) && in_.language() != Language::of2020) {
+  } else if (isOneOf(word, kGroupWords) && !in_.hasNodes()) {
     in_.report(in_.at(), "expected " + quoted(word) + " inside a Group, found it outside");
     in_.skipWordAndBlock();
   } else {
-    const bool hasNodes = in_.language() == Language::of2020;
-    in_.skipUnknown("the scene", hasNodes ? WordList(kNodeSectionWords) : kSectionWords);
+    in_.skipUnknown("the scene", in_.hasNodes() ? WordList(kNodeSectionWords) : kSectionWords);
   }
   in_.setQuiet(true);
   hasMisplaced_ = true;
@@ -198,91 +198,65 @@ void SceneReader::readBackground() {
 /// What can only be said once everything is read.
 void SceneReader::finish() {
   if (seen_.count("camera") == 0 && !hasMisplaced_) {
-    in_.reportExpected(in_.language() == Language::of2020
+    in_.reportExpected(in_.hasNodes()
                            ? "a Camera in the scene"
                            : "an OrthographicCamera or a PerspectiveCamera in the scene");
   }
-  if (scene_.lights_.empty()) {
-    scene_.ambientLight_ = Vec3f(1, 1, 1);
-    notes_.warn(lightsAt_ ? lightsAt_ : in_.text().bytes().data(),
-                "the scene has no lights: it is shown in white ambient light");
-  }
-  // What is legal, and leaves nothing to be seen.
-  if (!hasGroup_) {
-    notes_.warn(in_.at(), in_.language() == Language::of2020
-                              ? "the scene has no Scene: nothing will be seen"
-                              : "the scene has no Group: nothing will be seen");
-  }
-  // What the parts of the scene have found out.
+  if (scene_.lights_.empty()) scene_.ambientLight_ = Vec3f(1, 1, 1);
+  warnOfEmptiness();
+  tellRepeats();
   scene_.inputFiles_ = meshes_.files().paths();
   for (std::string& path : pictures_.files().paths()) {
     scene_.inputFiles_.push_back(std::move(path));
   }
   scene_.hasHighlightsBehind_ = materials_.haveHighlightsBehind();
+  if (in_.mistakeCount() == 0) review();
+  scene_.warnings_ = notes_.inOrder();
+}
+
+/// Of what is legal, and leaves little or nothing to be seen.
+void SceneReader::warnOfEmptiness() {
+  if (scene_.lights_.empty()) {
+    notes_.warn(lightsAt_ ? lightsAt_ : in_.text().bytes().data(),
+                "the scene has no lights: it is shown in white ambient light");
+  }
+  if (!hasGroup_) {
+    notes_.warn(in_.at(), std::string("the scene has no ") + (in_.hasNodes() ? "Scene" : "Group") +
+                              ": nothing will be seen");
+  }
   if (notes_.flatTriangles > ObjectReader::kFlatTrianglesNamed) {
     notes_.warn(in_.at(), std::to_string(notes_.flatTriangles - ObjectReader::kFlatTrianglesNamed) +
                               " more triangles have no area: they will not be seen");
   }
-  const auto repeatText = [this](const FieldReader::Repeat& repeat) {
+}
+
+/// For -check a field that is given twice is a mistake, else worth a warning.
+void SceneReader::tellRepeats() {
+  const auto textOf = [this](const FieldReader::Repeat& repeat) {
     return std::string(repeat.name) + " is given a second time, first in line " +
            std::to_string(in_.text().lineAt(repeat.before)) + "; the last one holds";
   };
-  // For -check a field that is given twice is a mistake, else worth a warning.
   if (in_.isChecking()) {
-    for (const auto& repeat : in_.repeats()) in_.report(repeat.at, repeatText(repeat));
+    for (const auto& repeat : in_.repeats()) in_.report(repeat.at, textOf(repeat));
   } else {
     notes_.warnOfSome(in_.repeats(), "fields given a second time", [&](const auto& repeat) {
-      return FieldReader::Note(repeat.at, repeatText(repeat));
+      return FieldReader::Note(repeat.at, textOf(repeat));
     });
   }
-  // Only of a whole scene can be said what is probably meant otherwise.
-  if (in_.mistakeCount() == 0) {
-    notes_.review(scene_, in_.brightColors());
-    const bool hasGlass =
-        std::any_of(scene_.materials_.begin(), scene_.materials_.end(),
-                    [](const auto& material) { return material->isTransparent(); });
-    if (hasGlass) findThinnestSolid(scene_.group_, Matrix());
-  }
-  scene_.warnings_ = notes_.inOrder();
 }
 
-/// The shortest side of an object's own box, as its Transforms stretch it, is how thick it is. The
-/// depth of recursion is the scene's nesting.
-void SceneReader::findThinnestSolid(const Object3D& object, const Matrix& toWorld) {
-  if (const auto* group = dynamic_cast<const Group*>(&object)) {
-    for (const Object3D* member : group->getObjects()) {
-      if (member) findThinnestSolid(*member, toWorld);
+/// Only of a whole scene can be said what is probably meant otherwise.
+void SceneReader::review() {
+  notes_.review(scene_, in_.brightColors());
+  const auto isGlass = [](const auto& material) { return material->isTransparent(); };
+  if (std::none_of(scene_.materials_.begin(), scene_.materials_.end(), isGlass)) return;
+  const auto isClosed = [this](const MeshGeometry& geometry) {
+    for (const auto& mesh : scene_.meshes_) {
+      if (mesh.get() == &geometry) mesh->findWhetherClosed();
     }
-    return;
-  }
-  if (const auto* transform = dynamic_cast<const Transform*>(&object)) {
-    return findThinnestSolid(*transform->getObject(), toWorld * transform->getMatrix());
-  }
-  const auto* const sphere = dynamic_cast<const Sphere*>(&object);
-  const auto* const mesh = dynamic_cast<const TriangleMesh*>(&object);
-  const Material* const material = sphere ? sphere->getMaterial()
-                                   : mesh ? mesh->getMaterial()
-                                          : nullptr;
-  if (!material || !material->isTransparent()) return;
-  BoundingBox box;
-  object.addBounds(Matrix(), box);
-  double thickness = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3d side;
-    side[axis] = box.high()[axis] - box.low()[axis];
-    thickness = std::min(thickness, length(toWorld.transformDirection(side)));
-  }
-  // Whether a mesh is closed takes long to find out, and matters for the thinnest alone.
-  if (!(thickness < SceneParser::kThinSolid && thickness < scene_.thinnest_.thickness)) return;
-  if (mesh && !isClosed(mesh->getGeometry())) return;
-  scene_.thinnest_ = {thickness, notes_.lineOf(&object)};
-}
-
-/// Found out once for each mesh, however often it is used.
-bool SceneReader::isClosed(const MeshGeometry& geometry) {
-  if (!examined_.insert(&geometry).second) return geometry.isClosed();
-  for (const auto& mesh : scene_.meshes_) {
-    if (mesh.get() == &geometry) mesh->findWhetherClosed();
-  }
-  return geometry.isClosed();
+    return geometry.isClosed();
+  };
+  ThinSolid& thinnest = scene_.thinnest_;
+  thinnest = findThinnestSolid(scene_.group_, SceneParser::kThinSolid, isClosed);
+  if (thinnest.object) thinnest.line = notes_.lineOf(thinnest.object);
 }

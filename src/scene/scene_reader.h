@@ -17,9 +17,8 @@
 #include <vector>
 
 #include "scene/field_reader.h"
-#include "scene/obj_reader.h"
+#include "scene/named_files.h"
 #include "scene/object_places.h"
-#include "scene/picture_library.h"
 #include "scene/scene_parser.h"
 #include "shading/optics.h"
 #include "shading/solid_texture.h"
@@ -98,6 +97,7 @@ class MaterialReader {
   void readSection();
   /// A material written inside a Group, as in the course's older scenes.
   void readInline();
+  /// The setting of that name, from there on: the material that holds for the objects that follow.
   void readIndex(std::string_view name = "MaterialIndex");
   /// The section Materials of 2020, from behind its name.
   void readNodeMaterials();
@@ -281,8 +281,9 @@ class SceneReader {
   void setUp(CameraFrame& frame, const Vec3d& up) const;
   void readBackground();
   void finish();
-  void findThinnestSolid(const Object3D& object, const Matrix& toWorld);
-  bool isClosed(const MeshGeometry& geometry);
+  void warnOfEmptiness();
+  void tellRepeats();
+  void review();
 
   FieldReader in_;
   const SceneRules rules_;
@@ -293,8 +294,7 @@ class SceneReader {
   MaterialReader materials_;
   ObjectReader objects_;
   const char* lightsAt_ = nullptr;
-  std::set<std::string_view> seen_;         // of what may stand once
-  std::set<const MeshGeometry*> examined_;  // whether they are closed is known
+  std::set<std::string_view> seen_;  // of what may stand once
   bool hasGroup_ = false;
   bool hasMisplaced_ = false;  // something outside all sections: it may be a section's broken name
 };

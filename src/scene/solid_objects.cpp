@@ -1,4 +1,5 @@
-// SolidObjects: one walk through the tree of objects.
+// SolidObjects: one walk through the tree of objects, which carries along how they stand in the
+// world. A volume is that of the object's own space times the determinant of all Transforms.
 #include "scene/solid_objects.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kBall = 4.1887902047863909846;  // 4 pi / 3
 /// Of the largest coordinate: far above what rounding does to a place.
-constexpr double kRounding = 0x1p-20;
+constexpr double kMargin = 0x1p-20;
 
 double determinantOf(const Matrix& matrix) {
   return dot(matrix.transformDirection({1, 0, 0}),
@@ -23,30 +24,29 @@ double determinantOf(const Matrix& matrix) {
 
 }  // namespace
 
-SolidObjects::SolidObjects(const Object3D& root) { add(root, Matrix()); }
-
-/// The depth of recursion is the scene's nesting.
-void SolidObjects::add(const Object3D& object, const Matrix& toWorld) {
+void visitTransparent(const Object3D& object, const Matrix& toWorld, const VisitSolid& visit) {
   if (const auto* group = dynamic_cast<const Group*>(&object)) {
     for (const Object3D* member : group->getObjects()) {
-      if (member) add(*member, toWorld);
+      if (member) visitTransparent(*member, toWorld, visit);
     }
-    return;
-  }
-  if (const auto* transform = dynamic_cast<const Transform*>(&object)) {
-    return add(*transform->getObject(), toWorld * transform->getMatrix());
-  }
-  double own = -1;  // not solid
-  if (const auto* sphere = dynamic_cast<const Sphere*>(&object)) {
-    const double radius = sphere->getRadius();
-    if (sphere->getMaterial()->isTransparent()) own = kBall * (radius * radius * radius);
+  } else if (const auto* transform = dynamic_cast<const Transform*>(&object)) {
+    visitTransparent(*transform->getObject(), toWorld * transform->getMatrix(), visit);
+  } else if (const auto* sphere = dynamic_cast<const Sphere*>(&object)) {
+    if (sphere->getMaterial()->isTransparent()) visit(object, nullptr, toWorld);
   } else if (const auto* mesh = dynamic_cast<const TriangleMesh*>(&object)) {
-    const MeshGeometry& geometry = mesh->getGeometry();
-    if (geometry.isClosed() && mesh->getMaterial()->isTransparent()) own = ::volumeOf(geometry);
+    if (mesh->getMaterial()->isTransparent()) visit(object, &mesh->getGeometry(), toWorld);
   }
-  if (own < 0) return;
-  volumes_[&object] = std::fabs(determinantOf(toWorld)) * own;
-  object.addBounds(toWorld, box_);
+}
+
+SolidObjects::SolidObjects(const Object3D& root) {
+  visitTransparent(
+      root, Matrix(), [this](const auto& object, const auto* mesh, const auto& toWorld) {
+        if (mesh && !mesh->isClosed()) return;
+        const double radius = mesh ? 0 : static_cast<const Sphere&>(object).getRadius();
+        const double own = mesh ? ::volumeOf(*mesh) : kBall * (radius * radius * radius);
+        volumes_[&object] = std::fabs(determinantOf(toWorld)) * own;
+        object.addBounds(toWorld, box_);
+      });
 }
 
 double SolidObjects::volumeOf(const Object3D* object) const {
@@ -57,12 +57,30 @@ double SolidObjects::volumeOf(const Object3D* object) const {
 bool SolidObjects::areBeyond(const Vec3d& point, double distance) const {
   if (box_.isEmpty()) return true;
   const double margin =
-      distance + kRounding * std::max({maxAbs(box_.low()), maxAbs(box_.high()), maxAbs(point)});
+      distance + kMargin * std::max({maxAbs(box_.low()), maxAbs(box_.high()), maxAbs(point)});
   for (int axis = 0; axis < 3; ++axis) {
     const double x = point[axis];
     if (x < box_.low()[axis] - margin || x > box_.high()[axis] + margin) return true;
   }
   return false;
+}
+
+ThinSolid findThinnestSolid(const Object3D& root, double limit,
+                            const std::function<bool(const MeshGeometry&)>& isClosed) {
+  ThinSolid thinnest;
+  visitTransparent(root, Matrix(), [&](const auto& object, const auto* mesh, const auto& toWorld) {
+    BoundingBox box;
+    object.addBounds(Matrix(), box);
+    double thickness = limit;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3d side;
+      side[axis] = box.high()[axis] - box.low()[axis];
+      thickness = std::min(thickness, length(toWorld.transformDirection(side)));
+    }
+    if (!(thickness < limit && thickness < thinnest.thickness)) return;
+    if (!mesh || isClosed(*mesh)) thinnest = {&object, thickness};
+  });
+  return thinnest;
 }
 
 double volumeOf(const MeshGeometry& mesh) {

@@ -1,4 +1,5 @@
-// Showing words of the input in messages, and guessing which word was meant.
+// Showing words of the input in messages, and guessing which word was meant: of those that may
+// stand there the one with the fewest slips, if they are few for its length.
 #include "scene/wording.h"
 
 #include <algorithm>

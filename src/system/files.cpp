@@ -1,7 +1,7 @@
 // Files on POSIX: descriptors, owned by the objects that opened them.
 //
 // A signal may interrupt a call that waits (EINTR): it is then made again. A read may bring less
-// than was asked for: it is asked again until the end of the file.
+// than was asked for, and a write take less: it goes on until the end of the file, or of all bytes.
 #include "system/files.h"
 
 #include <fcntl.h>
@@ -38,6 +38,18 @@ ssize_t OpenFile::readAt(off_t offset, void* target, std::size_t size) const {
     done += std::size_t(count);
   }
   return ssize_t(done);
+}
+
+bool OpenFile::writeAt(off_t offset, const void* source, std::size_t size) const {
+  for (std::size_t done = 0; done < size;) {
+    const char* const next = static_cast<const char*>(source) + done;
+    const ssize_t count = pwrite(descriptor_, next, size - done, offset + off_t(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count == 0) errno = EIO;
+    if (count <= 0) return false;
+    done += std::size_t(count);
+  }
+  return true;
 }
 
 /// Only "another has it" is a refusal: where there are no locks, the file is used without.

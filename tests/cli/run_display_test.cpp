@@ -175,7 +175,7 @@ TEST("a cell of the preview is the mean of its pixels, the upper one in front") 
   image.setPixel(0, 3, Rgb8{200, 0, 7});  // the upper left cell: (3 * 100 + 200) / 4 = 125
   TerminalPicture picture(4, 4, {2, 3});
   CHECK_EQUAL(picture.lines(), 1);
-  picture.add(image, 0, 0, 4, 4);
+  picture.add(image, {0, 0, 4, 4});
   CHECK_EQUAL(picture.text(), std::string("\033[38;2;125;0;7m\033[48;2;100;0;7m") + kHalf +
                                   "\033[38;2;0;0;7m\033[48;2;0;0;7m" + kHalf + "\033[0m\n");
 }

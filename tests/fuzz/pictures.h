@@ -48,7 +48,7 @@ inline Bytes pictures(const SceneParser& scene, const Object3D& geometry,
 /// Demands that the tree, with every instruction set, gives the bytes that the plain objects give.
 inline void comparePictures(SceneParser& scene, const RenderOptions& options) {
   const bool asksMedia = options.transparentShadows || options.fresnel || options.nestedDielectrics;
-  if (asksMedia) scene.findClosedMeshes();
+  if (asksMedia) scene.findSolids();
   const Bytes plain = pictures(scene, *scene.getGroup(), options);
   for (const SimdLevel level : {SimdLevel::baseline, SimdLevel::avx2, SimdLevel::avx512}) {
     if (availableSimd(level) != level) continue;

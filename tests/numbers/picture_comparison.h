@@ -69,7 +69,7 @@ class PictureComparison {
   /// scene that fails are kept.
   void compare(SceneFiles& files, const std::string& name, Tally& tally) const {
     SceneParser scene(files.scene().c_str());
-    scene.findClosedMeshes();
+    scene.findSolids();
     const Pictures pictures(scene, setup_);
     const std::string label = name + " (" + files.scene() + ")";
     const bool wasRight = tally.cases.firstFailure().empty();

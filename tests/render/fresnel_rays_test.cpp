@@ -21,7 +21,7 @@ class InDark {
                      "Materials { numMaterials 2 Material { diffuseColor 0 0 0 " +
                      fields + " } Material { } } Group { numObjects " + std::to_string(count) +
                      " MaterialIndex 0 " + objects + " }")) {
-    scene_.findClosedMeshes();
+    scene_.findSolids();
   }
   operator const SceneParser&() const { return scene_; }
 

@@ -27,7 +27,7 @@ class Glasses {
  public:
   explicit Glasses(const std::vector<Glass>& list, const std::string& more = "", int countMore = 0)
       : scene_(parse(textOf(list, more, countMore))) {
-    scene_.findClosedMeshes();
+    scene_.findSolids();
   }
   operator const SceneParser&() const { return scene_; }
 

@@ -52,7 +52,7 @@ TEST("through grids of several sizes each scene in scenes/ has the bytes of the 
   CHECK(files.size() >= 20);
   for (const std::string& file : files) {
     SceneParser scene(file.c_str());
-    scene.findClosedMeshes();
+    scene.findSolids();
     const CompiledScene compiled(*scene.getGroup(), 2);
     RenderOptions options;
     options.maxBounces = 4;

@@ -31,7 +31,7 @@ struct LastColor : RayObserver {
 /// Compares all pixels, to the last bit.
 void compare(const RenderOptions& options) {
   SceneParser scene = scene_text::parse(kScene);
-  scene.findClosedMeshes();
+  scene.findSolids();
   const Object3D& geometry = *scene.getGroup();
   Image image(kWidth, kHeight);
   FloatImage exact(kWidth, kHeight);

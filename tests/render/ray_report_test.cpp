@@ -13,7 +13,7 @@ std::string reportOf(const std::string& text, const RenderOptions& options = {})
   ObjectPlaces places;
   SceneParser scene(path.c_str(), &places);
   std::remove(path.c_str());
-  scene.findClosedMeshes();
+  scene.findSolids();
   const SceneNames names(scene, places);
   std::string report;
   const Object3D& geometry = *scene.getGroup();

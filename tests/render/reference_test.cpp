@@ -74,7 +74,7 @@ Image renderRow(const Row& row, int width, int height) {
   options.maxBounces = row.bounces;
   options.shadows = row.shadows;
   options.transparentShadows = row.transparentShadows;
-  if (row.transparentShadows) scene.findClosedMeshes();
+  if (row.transparentShadows) scene.findSolids();
   Image image(width, height);
   RenderTargets targets;
   targets.depthMin = 8;

@@ -39,7 +39,7 @@ std::string ball(int material) {
 /// The light at (x, 0, 0), seen from close by, with no secondary rays.
 Vec3f lightAt(const std::string& text, double x) {
   SceneParser scene = scene_text::parse(text);
-  scene.findClosedMeshes();
+  scene.findSolids();
   RenderOptions options = scene_text::bouncing(0);
   options.transparentShadows = true;
   return scene_text::colorTowards(scene, {x + 0.3, 0.4, 0.1}, {x, 0, 0}, options);

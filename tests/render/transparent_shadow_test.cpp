@@ -52,7 +52,7 @@ Vec3f lightAt(const SceneParser& scene, double x, const Epsilon& epsilon, bool t
 /// Checks the light at (x, 0, 0) for both kinds of epsilon, and through the compiled scene.
 void checkLight(const std::string& text, double x, const Vec3d& expected) {
   SceneParser scene = parse(text);
-  scene.findClosedMeshes();
+  scene.findSolids();
   CHECK_NEAR_VECTOR(lightAt(scene, x, kCourse), expected, 1e-6);
   CHECK_NEAR_VECTOR(lightAt(scene, x, kAdaptive), expected, 1e-6);
   RenderOptions options = scene_text::bouncing(0);
@@ -115,7 +115,8 @@ TEST("each of 200 sheets of a mesh in one place multiplies once") {
   const Vec3d left(std::pow(0.99, 200), std::pow(0.98, 200), 1);
   checkLight(text, 0.1, left);
   const std::string opaque = "PhongMaterial { diffuseColor 0 0 0 } }";
-  text.replace(text.find(opaque), opaque.size(), "Noise { materialIndex 1 materialIndex 1 octaves 3 } }");
+  text.replace(text.find(opaque), opaque.size(),
+               "Noise { materialIndex 1 materialIndex 1 octaves 3 } }");
   text.replace(text.find("MaterialIndex 1 Tri"), 15, "MaterialIndex 3");
   checkLight(text, 0.1, left);
 }

@@ -203,6 +203,6 @@ TEST("only meshes of transparent material are asked whether they are closed") {
     return dynamic_cast<const TriangleMesh*>(group->getObjects()[i])->getGeometry().isClosed();
   };
   CHECK(!isClosed(0) && !isClosed(1));
-  scene->findClosedMeshes();
+  scene->findSolids();
   CHECK(isClosed(0) && !isClosed(1));
 }

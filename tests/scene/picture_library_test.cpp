@@ -1,10 +1,9 @@
 // Pictures that a scene names: where they are found, each read once, and what is said of those that
 // are missing or broken.
-#include "scene/picture_library.h"
-
 #include <filesystem>
 
 #include "image/picture_file.h"
+#include "scene/named_files.h"
 #include "scene_files.h"
 #include "vectors.h"
 

@@ -1,9 +1,9 @@
-// What -compare works with. ComparedPair: two pictures that belong together, what came of comparing
-// them, and the forms in which that is told: lines of text, a row of comma-separated values, a page
-// with the pictures. TableCommand: a command of a table whose pictures are compared.
+// What -compare works with. ComparedPair: two pictures that belong together, and what came of
+// comparing them (compared_pair.cpp); the forms in which that is told: lines of text, a row of
+// comma-separated values (compare_text.cpp), a page with the pictures (report_page.cpp).
+// TableCommand: a command of a table whose pictures are compared (command_table.cpp).
 #pragma once
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +14,7 @@ struct ComparedPair {
   enum class Result { same, different, missing, unexpected, unreadable };
   struct Size {
     int width = 0, height = 0;  ///< pixels; 0 where the picture could not be read
+    std::string text() const { return sizeText(width, height); }
   };
 
   std::string name;      ///< what both are called: a path below the folder, where it is one
@@ -60,17 +61,6 @@ bool isWorse(const ComparedPair& a, const ComparedPair& b);
 
 const char* nameOf(ComparedPair::Result result);
 
-/// The values one after the other, numbers with 6 significant digits at most; `inf` for infinity.
-template <class... Values>
-std::string joined(const Values&... values) {
-  std::ostringstream text;
-  (text << ... << values);
-  return text.str();
-}
-
-/// "10 x 20".
-std::string sizeText(ComparedPair::Size size);
-
 /// What there is to tell of a pair, as far as it could be compared.
 struct Figure {
   std::string name, value;
@@ -97,7 +87,7 @@ std::string reportFigures(const ReadPicture& expected, const ReadPicture& actual
 /// may hold any bytes.
 std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request);
 
-// A table of commands: pictures, and the arguments of raytracer that give them (command_table.cpp).
+// A table of commands: pictures, and the arguments of raytracer that give them.
 
 /// A line of the table. Its words are separated by blanks; ' or " keep blanks in a word that they
 /// stand in; # at the start of a word begins a comment.
