@@ -22,6 +22,7 @@ class Arena {
   template <class T>
   T* take(std::size_t count) {
     static_assert(std::is_trivially_destructible<T>::value, "nobody calls destructors");
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): T may be a pointer.
     return static_cast<T*>(takeBytes(count * sizeof(T) + kAlignment));
   }
 

@@ -45,8 +45,8 @@ class SceneGeometry {
  private:
   void buildCells(const Acceleration& wanted, const CellRules& rules);
 
+  TestTally tally_;  // first, as its counts stand in cache lines of their own
   const Object3D& root_;
-  TestTally tally_;
   std::vector<PhongMaterial> paints_;      // of cells
   std::unique_ptr<const Object3D> built_;  // null where the scene's group answers itself
   std::string simd_ = "none", description_ = "plain object tree";

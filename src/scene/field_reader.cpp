@@ -23,9 +23,7 @@ bool isCapitalised(std::string_view word, const Fields& fields) {
 }
 
 /// How many numbers such a value has.
-std::size_t countOf(ValueKind kind) {
-  return kind == ValueKind::vector || kind == ValueKind::color ? 3 : 1;
-}
+std::size_t countOf(Form form) { return form == Form::vector || form == Form::color ? 3 : 1; }
 
 /// Brings the largest component into [1/2, 1) by a power of two: the direction stays exactly the
 /// same, and its squares neither overflow nor vanish.
@@ -33,6 +31,23 @@ void rescale(Value& vector) {
   int exponent = 0;
   std::frexp(maxAbs(vector.vector()), &exponent);
   for (double& number : vector.numbers) number = std::ldexp(number, -exponent);
+}
+
+/// What one number must be, where it is not; "" where it is.
+std::string expectedOf(const Value& value) {
+  constexpr int kMost = SceneParser::kMostPixels;
+  const std::string name(value.field->name);
+  const double number = value.number();
+  const Range range = value.field->range;
+  if (range == Range::atLeastZero && number < 0) return name + " of at least 0";
+  if (range == Range::side && (number < 1 || number > kMost)) {
+    return name + " from 1 to " + std::to_string(kMost);
+  }
+  if (range == Range::aboveZero || range == Range::angle) {
+    if (number <= 0) return name + " above 0";
+    if (range == Range::angle && number >= 180) return "an angle below 180 degrees";
+  }
+  return "";
 }
 
 }  // namespace
@@ -179,11 +194,11 @@ void FieldReader::reportMissing(std::string_view owner, const char* start, const
 
 /// Reads a field from its name on.
 void FieldReader::readField(Value& value, const OwnReader& readOwn) {
-  const ValueKind kind = value.field->kind;
+  const Form form = value.field->form;
   const char* const before = value.at;
   const char* start = tokenizer_.place() + 1;
-  const bool isPlain = (kind == ValueKind::number || kind == ValueKind::vector) &&
-                       readPlainNumbers(value.numbers.data(), countOf(kind));
+  const bool isPlain = (form == Form::number || form == Form::vector) &&
+                       readPlainNumbers(value.numbers.data(), countOf(form));
   if (!isPlain) {
     advance();
     start = at();
@@ -192,19 +207,19 @@ void FieldReader::readField(Value& value, const OwnReader& readOwn) {
   value.at = start;
   // A texture has two of these, and so has noise.
   const bool isPair = value.field->name == "materialIndex" ||
-                      (value.field->name == "color" && kind == ValueKind::ownReader);
+                      (value.field->name == "color" && form == Form::ownReader);
   if (!before || !start || isPair) return;
   repeats_.push_back({start, value.field->name, before});
 }
 
 bool FieldReader::readValue(Value& value, const OwnReader& readOwn) {
   const std::string_view name = value.field->name;
-  const ValueKind kind = value.field->kind;
-  if (kind == ValueKind::ownReader) return readOwn(name);
-  if (kind == ValueKind::fileName) return readFileName(name);
-  if (kind != ValueKind::whole) {
-    const bool areSingle = kind == ValueKind::single || kind == ValueKind::color;
-    return readNumbers(name, value.numbers.data(), countOf(kind), areSingle);
+  const Form form = value.field->form;
+  if (form == Form::ownReader) return readOwn(name);
+  if (form == Form::fileName) return readFileName(name);
+  if (form != Form::whole) {
+    const bool areSingle = form == Form::single || form == Form::color;
+    return readNumbers(name, value.numbers.data(), countOf(form), areSingle);
   }
   int whole = value.whole();
   const bool isGood = readWholeNumber(name, whole);
@@ -227,16 +242,12 @@ bool FieldReader::checkRanges(std::string_view block, Fields& fields) {
 bool FieldReader::checkRange(Value& value) {
   if (!value.at) return true;
   const std::string_view name = value.field->name;
-  const double number = value.numbers[0];
-  std::string expected;
   switch (value.field->range) {
-    case Range::any:
-      break;
     case Range::color:
-      if (std::max({number, value.numbers[1], value.numbers[2]}) > 1) {
+      if (std::max({value.numbers[0], value.numbers[1], value.numbers[2]}) > 1) {
         brightColors_.emplace_back(value.at, name);
       }
-      break;
+      return true;
     case Range::reflectance:
       return checkReflectance(value);
     case Range::direction:
@@ -245,23 +256,12 @@ bool FieldReader::checkRange(Value& value) {
         return false;
       }
       rescale(value);
-      break;
-    case Range::atLeastZero:
-      if (number < 0) expected = std::string(name) + " of at least 0";
-      break;
-    case Range::side:
-      if (number < 1 || number > SceneParser::kMostPixels) {
-        expected = std::string(name) + " from 1 to " + std::to_string(SceneParser::kMostPixels);
-      }
-      break;
-    case Range::angle:
-      if (number >= 180) expected = "an angle below 180 degrees";
-      [[fallthrough]];
-    case Range::aboveZero:
-      if (number <= 0) expected = std::string(name) + " above 0";
+      return true;
+    default:
+      const std::string expected = expectedOf(value);
+      if (!expected.empty()) reportFound(value.at, expected);
+      return expected.empty();
   }
-  if (!expected.empty()) reportFound(value.at, expected);
-  return expected.empty();
 }
 
 bool FieldReader::checkReflectance(const Value& value) {

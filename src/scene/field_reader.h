@@ -75,7 +75,7 @@ class FieldReader {
  public:
   /// Something noted at a place of the text.
   using Note = std::pair<const char*, std::string>;
-  /// Reads the value of such a field of ValueKind::ownReader; false after a mistake.
+  /// Reads the value of such a field of Form::ownReader; false after a mistake.
   using OwnReader = std::function<bool(std::string_view name)>;
 
   /// Both must outlive the reader.

@@ -89,13 +89,13 @@ std::unique_ptr<Material> MaterialReader::read() {
   const bool isPhong =
       owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";
   const std::string_view kind = isPhong ? "PhongMaterial" : owner;
-  Fields fields(in_.language(), {kind, "every material"});
+  Fields fields(in_.language(), {kind, "any material"});
   OwnWords own;
   in_.readFields(owner, fields, [&](std::string_view name) {
     return name == "Noise" ? readNoise(own.noise)
                            : in_.readChoice(name, kDistributionWords, own.distribution);
   });
-  in_.checkRanges("every material", fields);
+  in_.checkRanges("any material", fields);
   in_.checkRanges(kind, fields);
   std::unique_ptr<Material> material = make(owner, fields, own);
   material->setPriority(fields["priority"].whole());
@@ -209,8 +209,8 @@ std::unique_ptr<Material> plainMaterial() {
 std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
   const char* const start = in_.at();
   const bool isWave = owner == "Marble" || owner == "Wood";
-  const std::string_view kind = isWave ? "every wave" : owner;
-  Fields fields(in_.language(), {"every texture", kind});
+  const std::string_view kind = isWave ? "any wave" : owner;
+  Fields fields(in_.language(), {"any texture", kind});
   TextureWords words;
   bool isGood = in_.readFields(owner, fields, [&](std::string_view name) {
     if (name == "octaves") return readOctaves(words.octaves);

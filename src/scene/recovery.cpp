@@ -41,7 +41,7 @@ Languages languagesOf(std::string_view word) {
   const auto addIf = [&](bool isTheirs, Languages some) { languages |= isTheirs ? some : 0; };
   addIf(isOneOf(word, kCountWords) || isOneOf(word, kSectionWords) || isOneOf(word, kGroupWords) ||
             isOneOf(word, kLightWords),
-        but(kOf2020));
+        kNot2020);
   addIf(isOneOf(word, kNodeSectionWords) || isOneOf(word, kNodeWords) ||
             isOneOf(word, kNodeMaterialWords),
         kOf2020);

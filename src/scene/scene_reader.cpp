@@ -114,11 +114,11 @@ void SceneReader::readCamera() {
   reportSecond("camera");
   const std::string_view owner = in_.word();
   in_.advance();
-  Fields fields(in_.language(), {"every camera", owner});
+  Fields fields(in_.language(), {"any camera", owner});
   const bool areFieldsGood = in_.readFields(owner, fields);
   const Value &direction = fields["direction"], &up = fields["up"];
   const Vec3d writtenUp = up.vector();  // whose length may count
-  const bool areBothGiven = in_.checkRanges("every camera", fields) && direction.at && up.at;
+  const bool areBothGiven = in_.checkRanges("any camera", fields) && direction.at && up.at;
   const bool isParallel = areBothGiven && areParallel(direction.vector(), up.vector());
   if (isParallel) {
     in_.report(up.at, "expected an up that is not parallel to direction, found them parallel");
