@@ -12,7 +12,7 @@ constexpr HelpTopic topic(const char* name, const char* summary, const char* tex
   return {name, summary, text + 1};
 }
 
-constexpr HelpTopic kTopics[] = {
+constexpr HelpTopic kTopicTexts[] = {
     topic("scene", "scene files: an example, every field, the grammar", R"(
 A scene file is text: words with white space between them. { and } are words of
 their own even when glued to another word. # or // at the start of a word begins
@@ -962,6 +962,6 @@ shortest side of its own box as its Transforms stretch it.
 }  // namespace
 
 const std::vector<HelpTopic>& helpTopics() {
-  static const std::vector<HelpTopic> topics(std::begin(kTopics), std::end(kTopics));
+  static const std::vector<HelpTopic> topics(std::begin(kTopicTexts), std::end(kTopicTexts));
   return topics;
 }

@@ -39,9 +39,9 @@ void MaterialReader::readNodeMaterials() {
 }
 
 void MaterialReader::readInline() {
-  const std::size_t place = materials_.size();
+  const std::size_t number = materials_.size();
   add();
-  current_ = {materials_.back().get(), place};
+  current_ = {materials_.back().get(), number};
 }
 
 void MaterialReader::add() {
@@ -69,7 +69,7 @@ void MaterialReader::readIndex(std::string_view name) {
 
 const Material* MaterialReader::materialFor(std::string_view owner, const char* at) {
   if (current_.material) {
-    notes_.materials[current_.place].isUsed = true;
+    notes_.materials[current_.number].isUsed = true;
     return current_.material;
   }
   if (!isMissed_) {
@@ -222,8 +222,11 @@ std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
     isGood = false;
   }
   isGood &= in_.checkRanges(kind, fields);
-  if (!isGood || !words.areIndicesGood) return plainMaterial();
+  return isGood && words.areIndicesGood ? makeTexture(owner, fields, words) : plainMaterial();
+}
 
+std::unique_ptr<Material> MaterialReader::makeTexture(std::string_view owner, const Fields& fields,
+                                                      const TextureWords& words) {
   const Matrix& matrix = words.toTexture;
   const SolidTexture::Component &first = words.components[0], &second = words.components[1];
   if (owner == "Checkerboard") {
@@ -281,9 +284,9 @@ bool MaterialReader::readTextureIndex(std::string_view owner, TextureWords& word
     return false;
   }
   if (index >= 0 && std::size_t(index) < notes_.listedMaterials) {
-    const auto place = std::size_t(index);
-    words.components.push_back({materials_[place].get(), place});
-    notes_.materials.back().components.push_back(place);
+    const auto number = std::size_t(index);
+    words.components.push_back({materials_[number].get(), number});
+    notes_.materials.back().components.push_back(number);
     return true;
   }
   if (areIndicesSure_) {

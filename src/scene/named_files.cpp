@@ -121,7 +121,8 @@ bool MeshLibrary::read(const std::string& path, const std::string& key, std::str
   if (details.any() || !readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
     std::string bytes;
     if (!readWholeFile(path, bytes, reason)) return false;
-    mesh = readText(path, std::move(bytes), placeOf(name), details);
+    const auto place = std::size_t(name.data() - scene_.bytes().data());
+    mesh = readText(path, std::move(bytes), place, details);
   }
   const MeshGeometry*& kept = byPath_[key];
   if (log_.count() > mistakesBefore) return true;

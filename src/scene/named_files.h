@@ -81,9 +81,6 @@ class MeshLibrary {
             std::string& reason);
   MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place,
                         const ObjDetails& details);
-  std::size_t placeOf(std::string_view name) const {
-    return std::size_t(name.data() - scene_.bytes().data());
-  }
 
   const SourceText& scene_;
   MistakeLog& log_;

@@ -27,7 +27,7 @@
 struct MaterialNote {
   const char* at;
   bool isUsed = false;
-  std::vector<std::size_t> components;  // of a texture: places in the list
+  std::vector<std::size_t> components;  // of a texture: their numbers
 };
 
 /// Warnings, and what is noted for them while a scene is read.
@@ -101,10 +101,10 @@ class MaterialReader {
   void readIndex(std::string_view name = "MaterialIndex");
   /// The section Materials of 2020, from behind its name.
   void readNodeMaterials();
-  /// The material that holds now, not owned, and its place in the list.
+  /// The material that holds now, not owned, and its number in the scene.
   struct Selection {
     const Material* material = nullptr;
-    std::size_t place = 0;
+    std::size_t number = 0;
   };
   const Selection& selection() const { return current_; }
   void select(const Selection& selection) { current_ = selection; }
@@ -144,6 +144,8 @@ class MaterialReader {
   bool readNoise(std::unique_ptr<NoiseMap>& noise);
   const DiffuseMap* mapOf(const Fields& fields, std::unique_ptr<NoiseMap> noise);
   std::unique_ptr<Material> readTexture(std::string_view owner);
+  std::unique_ptr<Material> makeTexture(std::string_view owner, const Fields& fields,
+                                        const TextureWords& words);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
   bool readTextureIndex(std::string_view owner, TextureWords& words);
   bool readOctaves(int& octaves);

@@ -1,9 +1,9 @@
 // Warnings of what is legal in a scene and probably a mistake: materials that nothing has, colours
 // and exponents out of the usual, objects that the camera cannot see, lights that objects enclose.
 //
-// The last two take one walk over all objects, with little to do at each (Walk). It carries the
-// half-space in front of the camera and the points that matter (the eye and the point lights) into
-// the space of each Transform. A sphere, triangle or mesh wholly outside of that half-space is
+// The last two take one walk over all objects, with little to do at each (SceneWalk). It carries
+// the half-space in front of the camera and the points that matter (the eye and the point lights)
+// into the space of each Transform. A sphere, triangle or mesh wholly outside of that half-space is
 // behind the camera, which only a mirror could show. A point light inside an opaque closed object
 // lights nothing outside, unless the camera is in there too; of a mesh, the sum of the solid angles
 // of its faces tells what is inside.
@@ -52,10 +52,10 @@ double windingNumber(const MeshGeometry& mesh, const Vec3d& p) {
 /// The name of the object whose text this is.
 std::string kindAt(std::string_view start) { return std::string(Tokenizer(start).next()); }
 
-class Walk {
+class SceneWalk {
  public:
   /// Looks over a scene that is read without a mistake.
-  explicit Walk(const SceneParser& scene);
+  explicit SceneWalk(const SceneParser& scene);
 
   struct EnclosedLight {
     int light;               // its number in the scene
@@ -97,7 +97,7 @@ class Walk {
   std::vector<const Object3D*> behind_;
 };
 
-Walk::Walk(const SceneParser& scene) {
+SceneWalk::SceneWalk(const SceneParser& scene) {
   const Camera& camera = *scene.getCamera();
   isPerspective_ = typeid(camera) == typeid(PerspectiveCamera);
   Points points = {camera.getCenter()};
@@ -113,7 +113,7 @@ Walk::Walk(const SceneParser& scene) {
   if (hasMirror_) behind_.clear();
 }
 
-std::vector<Walk::EnclosedLight> Walk::enclosedLights() const {
+std::vector<SceneWalk::EnclosedLight> SceneWalk::enclosedLights() const {
   std::vector<EnclosedLight> lights;
   for (std::size_t i = 0; i < enclosed_.size(); ++i) {
     if (enclosed_[i]) lights.push_back({pointLights_[i], enclosed_[i]});
@@ -121,7 +121,7 @@ std::vector<Walk::EnclosedLight> Walk::enclosedLights() const {
   return lights;
 }
 
-void Walk::visit(const Object3D& object, const View& view, const Points& points) {
+void SceneWalk::visit(const Object3D& object, const View& view, const Points& points) {
   const std::type_info& kind = typeid(object);
   if (kind == typeid(Sphere)) {
     visitSphere(static_cast<const Sphere&>(object), view, points);
@@ -142,7 +142,7 @@ void Walk::visit(const Object3D& object, const View& view, const Points& points)
 
 /// Takes the view and the points into the object's space: n . (A q + t) + offset is
 /// (A^T n) . q + n . t + offset.
-void Walk::visitMoved(const Transform& transform, const View& view, const Points& points) {
+void SceneWalk::visitMoved(const Transform& transform, const View& view, const Points& points) {
   const Matrix &matrix = transform.getMatrix(), &inverse = transform.getInverse();
   const Vec3d origin = matrix.transformPoint(Vec3d());
   const Vec3d normal = matrix.transposeTransformDirection(view.normal);
@@ -155,7 +155,7 @@ void Walk::visitMoved(const Transform& transform, const View& view, const Points
   visit(*transform.getObject(), inside, moved);
 }
 
-void Walk::visitSphere(const Sphere& sphere, const View& view, const Points& points) {
+void SceneWalk::visitSphere(const Sphere& sphere, const View& view, const Points& points) {
   const Vec3d& center = sphere.getCenter();
   const double radius = sphere.getRadius();
   note(sphere, *sphere.getMaterial(),
@@ -167,7 +167,7 @@ void Walk::visitSphere(const Sphere& sphere, const View& view, const Points& poi
   });
 }
 
-void Walk::visitTriangle(const Triangle& triangle, const View& view) {
+void SceneWalk::visitTriangle(const Triangle& triangle, const View& view) {
   bool isBehind = true;
   for (int i = 0; i < 3; ++i) {
     isBehind &= dot(view.normal, triangle.getVertex(i)) + view.offset <= 0;
@@ -175,7 +175,7 @@ void Walk::visitTriangle(const Triangle& triangle, const View& view) {
   note(triangle, *triangle.getMaterial(), isBehind);
 }
 
-void Walk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
+void SceneWalk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
   BoundingBox box;
   mesh.getGeometry().addBounds(Matrix(), box);
   double farthest = view.offset;
@@ -194,7 +194,7 @@ void Walk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& p
 }
 
 /// What there is to know of every shape.
-void Walk::note(const Object3D& object, const Material& material, bool isBehind) {
+void SceneWalk::note(const Object3D& object, const Material& material, bool isBehind) {
   if (isPerspective_ && isBehind) behind_.push_back(&object);
   if (&material == lastMaterial_) return;
   lastMaterial_ = &material;
@@ -202,7 +202,7 @@ void Walk::note(const Object3D& object, const Material& material, bool isBehind)
 }
 
 /// True where the object is opaque and there are lights to look for in it.
-bool Walk::mayEnclose(const Material& material) {
+bool SceneWalk::mayEnclose(const Material& material) {
   if (pointLights_.empty() || steps_ > kMostSteps) return false;
   steps_ += pointLights_.size();
   return !material.isTransparent();
@@ -210,7 +210,8 @@ bool Walk::mayEnclose(const Material& material) {
 
 /// An eye in the same object sees what the lights in there shine on.
 template <class IsInside>
-void Walk::findEnclosed(const Object3D& object, const Points& points, const IsInside& isInside) {
+void SceneWalk::findEnclosed(const Object3D& object, const Points& points,
+                             const IsInside& isInside) {
   for (std::size_t i = 0; i < enclosed_.size(); ++i) {
     if (enclosed_[i] || !isInside(points[i + 1])) continue;
     if (isPerspective_ && isInside(points[0])) return;
@@ -241,7 +242,7 @@ void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brigh
   });
   warnOfUnusedMaterials();
   warnOfDarkLights(scene);
-  const Walk walk(scene);
+  const SceneWalk walk(scene);
   warnOfSome(walk.behindCamera(), "objects behind the camera", [this](const Object3D* object) {
     const std::string_view start = fromStartOf(object);
     return Note(
