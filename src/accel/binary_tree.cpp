@@ -35,8 +35,8 @@ constexpr std::uint32_t kBlock = 64;
 /// Every item has room for two nodes, and what is above the tasks for as many; there a level has at
 /// most one node for each mostInTask items. Each task may leave a block unfinished.
 std::size_t nodesFor(std::size_t count, int threads) {
-  return 2 * count + (kBlock + 2) * std::size_t(kMostSplits) *
-                         (count / mostInTask(count, threads) + 1);
+  return 2 * count +
+         (kBlock + 2) * std::size_t(kMostSplits) * (count / mostInTask(count, threads) + 1);
 }
 
 void setBox(BinaryNode& node, const Box4& box) {
@@ -58,12 +58,12 @@ Box4 boxOf(const BinaryNode& node) { return {Float4::load(node.low), Float4::loa
 /// Builds one range with one thread.
 class BinaryTree::Subtree {
  public:
-  Subtree(BinaryTree& tree, std::vector<LeafSize>& leafSizes)
+  Subtree(BinaryTree& tree, Task& task)
       : nodes_(tree.nodes()),
         used_(tree.used_),
         uniform_(tree.uniform_),
         memoryPrice_(tree.memoryPrice_),
-        leafSizes_(leafSizes) {}
+        task_(task) {}
 
   /// The depth of recursion is at most kMostSplits.
   CollapseCost build(const BuildRange& range, std::uint32_t index) {
@@ -71,7 +71,8 @@ class BinaryTree::Subtree {
     setBox(node, range.box);
     if (const int primitives = fittingLeaf(range, uniform_)) {
       node.plan = CollapsePlan::kLeaf;
-      leafSizes_.push_back({std::uint8_t(range.count), std::uint8_t(primitives), 0});
+      node.children = std::uint32_t(range.count);
+      task_.mostLeafWords += std::size_t(kFirstRow + kMostTriangleWords * primitives);
       return CollapseCost::ofLeaf(halfArea(range.box));
     }
     assert(range.splits < kMostSplits);
@@ -92,7 +93,7 @@ class BinaryTree::Subtree {
   const bool uniform_;
   const float memoryPrice_;
   ThreadPool alone_;
-  std::vector<LeafSize>& leafSizes_;
+  Task& task_;
 };
 
 BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
@@ -102,19 +103,26 @@ BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
       mostInTask_(mostInTask(count, pool.threads())) {
   const BuildRange whole = wholeRange(items, count);
   memoryPrice_ = memoryPrice(whole.box, count);
-  splitTop(whole, kRoot);
-  used_ = (used_ + kBlock - 1) / kBlock * kBlock;
+  // A part for each thread, or more; then each thread splits its own, without waiting for others.
+  std::vector<Task> parts;
+  const std::size_t mostInPart = std::max(count / std::size_t(pool.threads()), mostInTask_);
+  splitTop(whole, kRoot, mostInPart, pool, parts);
+  std::vector<std::vector<Task>> tasks(parts.size());
+  pool.forEachIndex(parts.size(), [&](std::size_t i) {
+    ThreadPool alone;
+    splitTop(parts[i].range, parts[i].node, mostInTask_, alone, tasks[i]);
+  });
+  for (const std::vector<Task>& part : tasks) tasks_.insert(tasks_.end(), part.begin(), part.end());
+  used_ = topEnd_ = (used_ + kBlock - 1) / kBlock * kBlock;
   runTasks();
   std::size_t task = 0;
   finishTop(kRoot, task);
 }
 
-std::vector<LeafSize> BinaryTree::leafSizes() const {
-  std::vector<LeafSize> sizes;
-  for (const Task& task : tasks_) {
-    sizes.insert(sizes.end(), task.leafSizes.begin(), task.leafSizes.end());
-  }
-  return sizes;
+std::size_t BinaryTree::mostLeafWords() const {
+  std::size_t words = 0;
+  for (const Task& task : tasks_) words += task.mostLeafWords;
+  return words;
 }
 
 BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
@@ -138,20 +146,20 @@ BuildRange BinaryTree::wholeRange(BuildItem* items, std::size_t count) {
   return whole;
 }
 
-void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index) {
+void BinaryTree::splitTop(const BuildRange& range, std::uint32_t index, std::size_t mostInTask,
+                          ThreadPool& pool, std::vector<Task>& tasks) {
   BinaryNode& node = nodes()[index];
-  if (range.count <= mostInTask_) {
-    tasks_.push_back({range, index, {}, {}});
+  if (range.count <= mostInTask) {
+    tasks.push_back({range, index, {}, 0});
     return;
   }
   BuildRange left, right;
-  splitRange(range, uniform_, pool_, left, right);
+  splitRange(range, uniform_, pool, left, right);
   setBox(node, range.box);
-  node.children = used_;
+  node.children = used_.fetch_add(2);
   node.plan = kTopPlan;
-  used_ += 2;
-  splitTop(left, node.children);
-  splitTop(right, node.children + 1);
+  splitTop(left, node.children, mostInTask, pool, tasks);
+  splitTop(right, node.children + 1, mostInTask, pool, tasks);
 }
 
 void BinaryTree::runTasks() {
@@ -161,7 +169,7 @@ void BinaryTree::runTasks() {
             [](const Task* a, const Task* b) { return a->range.count > b->range.count; });
   pool_.forEachIndex(bySize.size(), [&](std::size_t i) {
     Task& task = *bySize[i];
-    Subtree subtree(*this, task.leafSizes);
+    Subtree subtree(*this, task);
     task.cost = subtree.build(task.range, task.node);
   });
 }

@@ -70,14 +70,9 @@ struct CollapseCost {
   }
 };
 
-/// How much a leaf holds, and how many words it takes once it is written.
-struct LeafSize {
-  std::uint8_t items, primitives, words;
-};
-
 struct BinaryNode {
   float low[3];
-  std::uint32_t children;  ///< the first of two neighbours; unused in a leaf
+  std::uint32_t children;  ///< the first of two neighbours; in a leaf how many items it has
   float high[3];
   std::uint32_t plan;  ///< how to collapse it: see CollapsePlan
 };
@@ -91,27 +86,36 @@ class BinaryTree {
 
   static constexpr std::uint32_t kRoot = 0;
   const BinaryNode& node(std::uint32_t index) const { return nodes()[index]; }
-  /// In the order of the items.
-  std::vector<LeafSize> leafSizes() const;
+  bool isLeaf(std::uint32_t index) const { return CollapsePlan::isLeaf(node(index).plan); }
+  float longestSide(std::uint32_t index) const {
+    const BinaryNode& n = node(index);
+    return std::max({n.high[0] - n.low[0], n.high[1] - n.low[1], n.high[2] - n.low[2]});
+  }
+  /// Whether it is above all that one thread has built alone.
+  bool isTop(std::uint32_t index) const { return index < topEnd_; }
+  /// The most words that all leaves together can take.
+  std::size_t mostLeafWords() const;
 
  private:
   struct Task {
     BuildRange range;
     std::uint32_t node;
     CollapseCost cost;
-    std::vector<LeafSize> leafSizes;
+    std::size_t mostLeafWords;
   };
   class Subtree;
 
   BinaryNode* nodes() { return static_cast<BinaryNode*>(memory_.data()); }
   const BinaryNode* nodes() const { return static_cast<const BinaryNode*>(memory_.data()); }
   BuildRange wholeRange(BuildItem* items, std::size_t count);
-  void splitTop(const BuildRange& range, std::uint32_t node);
+  void splitTop(const BuildRange& range, std::uint32_t node, std::size_t mostInTask,
+                ThreadPool& pool, std::vector<Task>& tasks);
   void runTasks();
   CollapseCost finishTop(std::uint32_t node, std::size_t& task);
 
   PageBuffer memory_;                ///< BinaryNodes
   std::atomic<std::uint32_t> used_;  ///< blocks of them are taken from here on
+  std::uint32_t topEnd_ = 0;
   ThreadPool& pool_;
   std::size_t mostInTask_;
   bool uniform_ = true;

@@ -66,8 +66,9 @@ struct TreeFrame {
 };
 
 struct WideBvh {
-  PageBuffer nodes;   ///< WideNodes; the first is the root. Empty where there is nothing to hit.
-  PageBuffer leaves;  ///< words, with room behind them for a load of eight to run over
+  /// WideNodes, of which the first is the root, then the words of leaves, with room behind them for
+  /// a load of eight to run over. Empty where there is nothing to hit.
+  PageBuffer memory;
   std::size_t nodeCount = 0, leafWords = 0;
   int levels = 0;       ///< of nodes and frames
   int frameLevels = 0;  ///< of frames that are in one another
@@ -80,10 +81,12 @@ struct WideBvh {
   double errorFactor = 1, fixedError = 0;
 
   bool isEmpty() const { return nodeCount == 0; }
-  const WideNode* root() const { return static_cast<const WideNode*>(nodes.data()); }
-  const std::uint32_t* words() const { return static_cast<const std::uint32_t*>(leaves.data()); }
+  const WideNode* root() const { return static_cast<const WideNode*>(memory.data()); }
+  const std::uint32_t* words() const {
+    return reinterpret_cast<const std::uint32_t*>(root() + nodeCount);
+  }
   /// Bytes that the tree occupies.
-  std::size_t bytes() const { return nodes.size() + leaves.size(); }
+  std::size_t bytes() const { return memory.size(); }
 };
 
 }  // namespace accel

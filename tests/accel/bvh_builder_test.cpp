@@ -156,6 +156,18 @@ std::vector<BuildItem> randomItems(std::size_t count, std::uint64_t seed) {
   return items;
 }
 
+/// Three nests of `count` items, each 2^-14 of the size of the one around it.
+std::vector<BuildItem> nestedItems(std::size_t count, LeafKind kind) {
+  Random random(8);
+  std::vector<BuildItem> items;
+  for (std::size_t i = 0; i < 3 * count; ++i) {
+    const double size = std::ldexp(1.0, -14 * int(i / count));
+    const Vec3d center = random.inCube(-1, 1) * size;
+    items.push_back(itemAt(center, size * 0.01, i, kind));
+  }
+  return items;
+}
+
 std::vector<BuildItem> itemsFrom(std::size_t count,
                                  const std::function<BuildItem(std::size_t)>& item) {
   std::vector<BuildItem> items;
@@ -238,15 +250,8 @@ TEST("sizes over all that floats hold, nested boxes and flat ones build to a bou
 }
 
 TEST("nodes of a mesh that are 4096 times smaller than what is around them begin frames") {
-  // Three nests of 64 triangles, each 2^-14 of the size of the one around it.
   for (const LeafKind kind : {LeafKind::meshTriangles, LeafKind::spheres}) {
-    Random random(8);
-    std::vector<BuildItem> items;
-    for (std::size_t i = 0; i < 192; ++i) {
-      const double size = std::ldexp(1.0, -14 * int(i / 64));
-      const Vec3d center = random.inCube(-1, 1) * size;
-      items.push_back(itemAt(center, size * 0.01, i, kind));
-    }
+    const std::vector<BuildItem> items = nestedItems(64, kind);
     const Inspection found = checkTree("nests", items, treeOf(items, 1));
     CHECK_EQUAL(found.frames, kind == LeafKind::meshTriangles ? 2 : 0);
     CHECK_EQUAL(found.frameDepth, found.frames);
@@ -255,16 +260,19 @@ TEST("nodes of a mesh that are 4096 times smaller than what is around them begin
   CHECK_EQUAL(checkTree("usual", usual, treeOf(usual, 1)).frames, 0);
 }
 
-TEST("the tree is the same, but for the places of its leaves, for 1, 2 and 5 threads") {
-  // 300,000 items are divided by all threads together at the top, and in chunks.
-  for (const std::size_t count : {std::size_t(100), std::size_t(20000), std::size_t(300000)}) {
-    const std::vector<BuildItem> items = randomItems(count, count);
+TEST("the tree is the same, but for the places of its leaves, for 1, 2, 3 and 16 threads") {
+  // 300,000 items are divided by all threads together at the top, and in chunks. Below the nests'
+  // own roots, other threads make nodes that are in frames.
+  for (const auto& items : {randomItems(100, 1), randomItems(20000, 2), randomItems(300000, 3),
+                            nestedItems(40000, LeafKind::meshTriangles)}) {
     const WideBvh one = treeOf(items, 1);
     checkTree("one thread", items, one);
-    for (const int threads : {2, 5}) {
+    for (const int threads : {2, 3, 16}) {
       const WideBvh several = treeOf(items, threads);
       CHECK_EQUAL(several.nodeCount, one.nodeCount);
       CHECK_EQUAL(several.leafWords, one.leafWords);
+      CHECK_EQUAL(several.levels, one.levels);
+      CHECK_EQUAL(several.frameLevels, one.frameLevels);
       if (several.nodeCount != one.nodeCount || several.leafWords != one.leafWords) continue;
       CHECK(contentOf(several) == contentOf(one));
     }
