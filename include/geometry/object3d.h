@@ -75,6 +75,7 @@ struct ShadowQuery {
   Ray ray;
   double tmin = 0, tmax = 0;
   ShadowQuery() {}  // were it defaulted, it would first clear all bytes, slowly
+  ShadowQuery(const Ray& r, double from, double to) : ray(r), tmin(from), tmax(to) {}
 };
 
 /// `object` (not null) as a T where it is a T itself and not of a class derived from T, which may
