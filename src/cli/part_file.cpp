@@ -101,8 +101,9 @@ Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenA
   hash.addNumber(inputFiles.size());
   std::map<std::string, Digest> known;  // a file that is named a thousand times is read once
   for (const std::string& file : inputFiles) {
-    if (known.count(file) == 0) known[file] = fileDigest(file, threads);
-    hash.add(known[file]);
+    const auto [found, isNew] = known.try_emplace(file);
+    if (isNew) found->second = fileDigest(file, threads);
+    hash.add(found->second);
   }
   addPictures(results, hash);
   addArguments(given, hash);

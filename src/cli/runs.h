@@ -1,4 +1,5 @@
-// The runs of the program. Each says what is wrong and returns the exit status of the program.
+// The runs of the program, each with sources of its own. Each says what is wrong and returns the
+// exit status of the program.
 #pragma once
 #include <vector>
 

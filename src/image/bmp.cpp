@@ -86,8 +86,9 @@ class BmpReader {
   Rgb8 pixelAt(const std::uint8_t* row, int x) const {
     const std::uint8_t* const pixel = row + std::size_t(x) * (bits_ / 8);
     if (bits_ != 8) return {pixel[2], pixel[1], pixel[0]};
-    if (*pixel < palette_.size()) return palette_[*pixel];
-    reader_.fail("expected a palette index below ", palette_.size(), ", found ", unsigned{*pixel});
+    reader_.check(*pixel < palette_.size(), "expected a palette index below ", palette_.size(),
+                  ", found ", unsigned{*pixel});
+    return palette_[*pixel];
   }
 
   const Bytes& bytes_;

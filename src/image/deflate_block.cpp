@@ -59,10 +59,11 @@ std::vector<Symbol> symbolsOf(const std::vector<Token>& tokens) {
 /// (symbol 18) and of 3 to 10 (17), and 3 to 6 that repeat the one before them (16).
 std::vector<Symbol> symbolsOf(const Lengths& lengths) {
   std::vector<Symbol> symbols;
-  for (std::size_t at = 0; at < lengths.size();) {
-    const std::uint8_t length = lengths[at];
-    unsigned run = 0;
-    for (; at < lengths.size() && lengths[at] == length; ++at) ++run;
+  for (auto at = lengths.begin(); at != lengths.end();) {
+    const std::uint8_t length = *at;
+    const auto isOther = [length](std::uint8_t other) { return other != length; };
+    const auto first = std::exchange(at, std::find_if(at, lengths.end(), isOther));
+    auto run = unsigned(at - first);
     if (length != 0) {
       symbols.push_back({kCodeLengths, length, {0, 0}});
       --run;

@@ -248,8 +248,9 @@ class PngReader {
       return {grey, grey, grey};
     }
     const unsigned index = sampleAt(samples, first);
-    if (index < palette_.size()) return palette_[index];
-    reader_.fail("expected a palette index below ", palette_.size(), ", found ", index);
+    reader_.check(index < palette_.size(), "expected a palette index below ", palette_.size(),
+                  ", found ", index);
+    return palette_[index];
   }
 
   /// The same without rounding to bytes.

@@ -67,7 +67,7 @@ std::string NamedFiles::locate(std::string_view name, const char* at, const Read
   std::string tried;
   for (const std::string& path : candidates(name)) {
     std::error_code error;
-    const std::string key = std::filesystem::canonical(path, error).string();
+    std::string key = std::filesystem::canonical(path, error).string();
     std::string reason = error.message();
     if (!error && read(path, key, reason)) return key;
     tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
