@@ -18,9 +18,8 @@ class TriangleMesh : public Object3D {
   bool nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax, double& t) const;
   /// Records in `hit` what lies at parameter t of the ray, which nearestRoot gave for that face.
   void setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const;
-  /// Reports the crossing with one face, if there is one at t > 0. `count` faces have its corners.
-  void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor,
-                 std::uint32_t count = 1) const;
+  /// Reports the crossing with one face, if there is one at t > 0.
+  void visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;

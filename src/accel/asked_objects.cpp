@@ -9,8 +9,7 @@
 namespace accel {
 
 LeafPrimitive AskedMesh::primitiveAt(const std::uint32_t* words, int lane) const {
-  const MeshTree::Triangle t = tree_.triangleAt(words, lane);
-  return {&mesh_, mesh_.getMaterial(), order_, t.face, false, t.a, t.b, t.c};
+  return {&mesh_, mesh_.getMaterial(), order_, MeshTree::faceAt(words, lane), false};
 }
 
 bool AskedMesh::takesPlace(LeafPrimitive& face) const {
@@ -31,11 +30,10 @@ void AskedMesh::shade(const RowList& rows, HitTable& hits) const {
   }
 }
 
-void AskedMesh::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                               CrossingVisitor& visitor) const {
-  const std::uint32_t face = MeshTree::faceAt(words, lane);
-  const FaceCopies* copies = tree_.copiesOf(face);
-  mesh_.visitFace(face, ray, visitor, copies ? copies->count : 1);
+Crossing AskedMesh::crossingAt(const std::uint32_t* words, int lane) const {
+  const FaceCopies* copies = tree_.copiesOf(MeshTree::faceAt(words, lane));
+  const bool isClosed = mesh_.getGeometry().isClosed();
+  return {0, &mesh_, mesh_.getMaterial(), isClosed, false, copies ? copies->count : 1};
 }
 
 const TreeMember& ObjectTree::memberAt(const std::uint32_t* words, int lane) const {
@@ -45,25 +43,21 @@ const TreeMember& ObjectTree::memberAt(const std::uint32_t* words, int lane) con
 
 LeafPrimitive ObjectTree::primitiveAt(const std::uint32_t* words, int lane) const {
   const TreeMember& member = memberAt(words, lane);
-  if (kindOf(*words) == LeafKind::spheres) {
-    const auto& sphere = static_cast<const Sphere&>(*member.object);
-    return {&sphere,
-            sphere.getMaterial(),
-            member.order,
-            0,
-            true,
-            sphere.getCenter(),
-            Vec3d(sphere.getRadius(), 0, 0),
-            Vec3d()};
-  }
-  const auto& triangle = static_cast<const Triangle&>(*member.object);
-  return {&triangle, triangle.getMaterial(), member.order,          0,
-          false,     triangle.getVertex(0),  triangle.getVertex(1), triangle.getVertex(2)};
+  const auto& shape = static_cast<const Shape&>(*member.object);
+  return {&shape, shape.getMaterial(), member.order, 0, kindOf(*words) == LeafKind::spheres};
 }
 
-void ObjectTree::visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                                CrossingVisitor& visitor) const {
-  memberAt(words, lane).object->visitCrossings(ray, visitor);
+void ObjectTree::getNumbers(const std::uint32_t* words, int lane, double* numbers,
+                            int stride) const {
+  const Object3D* object = memberAt(words, lane).object;
+  if (kindOf(*words) == LeafKind::spheres) {
+    const auto& sphere = static_cast<const Sphere&>(*object);
+    for (int axis = 0; axis < 3; ++axis) numbers[axis * stride] = sphere.getCenter()[axis];
+    numbers[3 * stride] = sphere.getRadius();
+    return;
+  }
+  const auto& triangle = static_cast<const Triangle&>(*object);
+  for (int k = 0; k < 9; ++k) numbers[k * stride] = triangle.getVertex(k / 3)[k % 3];
 }
 
 void ObjectTree::ask(Question& question, const RowList& rows) const {

@@ -1,8 +1,8 @@
 // The kernels of streams, compiled once for each instruction set; INSTRUCTION_SET names it.
 //
 // All but what is included first stands in the instruction set's own namespace. Nothing there may
-// call an inline function from outside but those of math/lanes.h and Vec3 of lanes: the linker could
-// keep another instruction set's copy.
+// call an inline function from outside but those of math/lanes.h and Vec3 of lanes: the linker
+// could keep another instruction set's copy.
 #include <cstdint>
 
 #if defined(__SSE2__)
@@ -38,6 +38,7 @@ Kernels kernels() {
           walk<Purpose::all>,
           hitsOfTriangles,
           hitsOfSpheres,
+          crossTriangles,
           nearestOfShapes,
           occludedByShapes,
           rowsAtShape,

@@ -175,7 +175,7 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     Findings findings;
     const MeshLeafWriter writer(geometry, scale, findings);
     buildWideBvh(bvh_, meshItems(geometry, scale, true, pool), writer, pool);
-    exact_ = findings.isExact && !geometry.isFar();
+    unscale_ = findings.isExact && !geometry.isFar() ? 1 / bvh_.scale : 0;
     if (findings.piled.size() < kPilesThatPay) return;
     BuildItems items = meshItems(geometry, scale, false, pool);
     copies_ = dropCopies(geometry, findings.piled, items);
@@ -198,23 +198,23 @@ BoundingBox MeshTree::box() const {
           anchor + Vec3d::of(bvh_.whole.high) / bvh_.scale};
 }
 
-MeshTree::Triangle MeshTree::triangleAt(const std::uint32_t* words, int lane) const {
-  const int n = verticesOf(words[0]);
-  const std::uint32_t face = faceAt(words, lane);
-  if (!exact_) {
-    return {geometry_->corner(face, 0), geometry_->corner(face, 1), geometry_->corner(face, 2),
-            face};
+void MeshTree::getCorners(const std::uint32_t* words, int lane, double* numbers, int stride) const {
+  if (unscale_ == 0) {
+    const auto corners = geometry_->corners(faceAt(words, lane));
+    for (int k = 0; k < 9; ++k) numbers[k * stride] = corners[std::size_t(k / 3)][k % 3];
+    return;
   }
+  const int n = verticesOf(*words);
   std::uint16_t places;
   std::memcpy(&places, reinterpret_cast<const char*>(words + 1) + 2 * lane, sizeof places);
-  const double unscale = 1 / bvh_.scale;
-  double v[9];
-  for (int k = 0; k < 9; ++k) {
-    float value;
-    std::memcpy(&value, words + kFirstRow + k % 3 * n + placeOf(places, k / 3), sizeof value);
-    v[k] = value * unscale;
+  for (int corner = 0; corner < 3; ++corner) {
+    const std::uint32_t* row = words + kFirstRow + placeOf(places, corner);
+    for (int axis = 0; axis < 3; ++axis, row += n, numbers += stride) {
+      float value;
+      std::memcpy(&value, row, sizeof value);
+      *numbers = value * unscale_;
+    }
   }
-  return {Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8]), face};
 }
 
 }  // namespace accel

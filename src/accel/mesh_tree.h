@@ -23,13 +23,9 @@ class MeshTree {
   /// The mesh's box in its own space.
   BoundingBox box() const;
 
-  /// The corners of the triangle in lane `lane` of the leaf at `words`, exactly as the geometry
-  /// holds them, and the number of its face.
-  struct Triangle {
-    Vec3d a, b, c;
-    std::uint32_t face;
-  };
-  Triangle triangleAt(const std::uint32_t* words, int lane) const;
+  /// Stores the corners of the triangle in lane `lane` of the leaf at `words`, exactly as the
+  /// geometry has them: numbers[k * stride], the first one's x, y and z first.
+  void getCorners(const std::uint32_t* words, int lane, double* numbers, int stride) const;
   /// A face in the tree that has copies, which are not; null for other faces.
   const FaceCopies* copiesOf(std::uint32_t face) const;
   static std::uint32_t faceAt(const std::uint32_t* words, int lane) {
@@ -40,8 +36,8 @@ class MeshTree {
   const MeshGeometry* geometry_;  // not owned
   WideBvh bvh_;
   std::vector<FaceCopies> copies_;  // by face
-  bool exact_ = true;               // scaling lost no digit, so leaves hold the corners exactly; and
-                                    // the anchor is 0
+  double unscale_ = 0;  // what corners in leaves are to be multiplied by; 0 where they are not
+                        // exactly those of the mesh: scaling lost a digit, or the anchor is not 0
 };
 
 }  // namespace accel

@@ -29,10 +29,13 @@ class AskedMesh : public AskedTree {
   const WideBvh& bvh() const override { return tree_.bvh(); }
   bool isOneObject() const override { return true; }
   LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
+  void getNumbers(const std::uint32_t* words, int lane, double* numbers,
+                  int stride) const override {
+    tree_.getCorners(words, lane, numbers, stride);
+  }
   bool takesPlace(LeafPrimitive& face) const override;
   void shade(const RowList& rows, HitTable& hits) const override;
-  void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                      CrossingVisitor& visitor) const override;
+  Crossing crossingAt(const std::uint32_t* words, int lane) const override;
 
  private:
   const TriangleMesh& mesh_;
@@ -91,8 +94,7 @@ class ObjectTree : public AskedTree {
   const TransformError& error() const { return error_; }
   const WideBvh& bvh() const override { return bvh_; }
   LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
-  void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                      CrossingVisitor& visitor) const override;
+  void getNumbers(const std::uint32_t* words, int lane, double* numbers, int stride) const override;
   void askObject(std::uint32_t id, Question& question, const RowList& rows) const override {
     question.askMember(members_[id], rows);
   }

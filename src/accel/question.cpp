@@ -8,6 +8,8 @@
 //              hits of all winners are then computed together.
 //   occluded   Any candidate that is hit between tmin and tmax blocks its ray.
 //   crossings  Of an object that is met before tmax, all crossings count, before and behind it.
+//              Those with triangles that are proven to be hit are computed together; they lie far
+//              enough from all edges to be crossed as well.
 // Where more candidates come than are kept, they are decided while the walk goes on.
 #include "accel/question.h"
 
@@ -74,12 +76,20 @@ class Question::Walk {
     const Ray ray = stream_.rays->rayOf(row);
     const double tmin = stream_.rays->tmin[row];
     const bool isLeft = ray.leaves(p.object, p.face);
+    if (isLeft && !p.isSphere && !tree_.takesPlace(p)) return false;
+    double numbers[9];
+    tree_.getNumbers(stream_.words + c.leaf, c.lane, numbers, 1);
+    const Vec3d a = Vec3d::of(numbers), b = Vec3d::of(numbers + 3);
     if (p.isSphere) {
-      return sphere::nearestRoot(p.a, p.b.x(), ray.getOrigin(), ray.getDirection(), tmin,
+      return sphere::nearestRoot(a, numbers[3], ray.getOrigin(), ray.getDirection(), tmin,
                                  Hit().getT(), isLeft, t);
     }
-    if (isLeft && !tree_.takesPlace(p)) return false;
-    return triangle::intersect(p.a, p.b, p.c, ray, t) && t > tmin;
+    return triangle::intersect(a, b, Vec3d::of(numbers + 6), ray, t) && t > tmin;
+  }
+  /// Appends the primitive's numbers.
+  void add(std::uint32_t leaf, int lane, int row, LeafHits& list) const {
+    tree_.getNumbers(stream_.words + leaf, lane, &list.numbers[0][list.count], LeafHits::kMost);
+    list.rows[list.count++] = std::uint16_t(row);
   }
 
   const AskedTree& tree_;
@@ -204,7 +214,7 @@ class NearestQuestion::NearestWalk : public Walk {
       hits_.object[row] = primitive.object;
       hits_.face[row] = winner.face;
       LeafHits& list = primitive.isSphere ? spheres : triangles;
-      list.add(row, primitive);
+      add(winner.leaf, winner.lane, row, list);
       if (list.count == LeafHits::kMost) computeHits(kernels, triangles, spheres);
     }
     computeHits(kernels, triangles, spheres);
@@ -338,22 +348,59 @@ CrossingsQuestion::CrossingsQuestion(const Kernels& kernels, const RayTable& ray
 class CrossingsQuestion::CrossingsWalk : public Walk {
  public:
   CrossingsWalk(CrossingsQuestion& question, const AskedTree& tree, Stream& stream)
-      : Walk(question, tree, stream), visitor_(question.visitor_) {}
+      : Walk(question, tree, stream),
+        kernels_(question.kernels_),
+        visitor_(question.visitor_),
+        proven_(question.arena_.take<LeafHits>(1)),
+        crossings_(question.arena_.take<Crossing>(LeafHits::kMost)) {
+    proven_->count = 0;
+  }
+
+  /// Tells of the crossings with triangles that are surely crossed: several computed at a time took
+  /// 0.92 of the instructions of a picture of wine glasses.
+  void tellProven() {
+    proven_->fillUp();
+    kernels_.crossTriangles(*proven_, *stream_.rays, crossings_);
+    for (int k = 0; k < proven_->count; ++k) {
+      if (crossings_[k].t > 0) visitor_.visit(proven_->rows[k], crossings_[k]);
+    }
+    proven_->count = 0;
+  }
 
  private:
   void decide(const Candidate& c) override {
+    const std::uint32_t* words = stream_.words + c.leaf;
     const int row = stream_.rowOf(c.ray);
-    CrossingsOfRow crossings(row, visitor_);
-    tree_.visitCrossings(stream_.words + c.leaf, c.lane, stream_.rays->rayOf(row), crossings);
+    Crossing& crossing = crossings_[proven_->count] = tree_.crossingAt(words, c.lane);
+    if (kindOf(*words) == LeafKind::spheres) {
+      CrossingsOfRow crossings(row, visitor_);
+      return crossing.object->visitCrossings(stream_.rays->rayOf(row), crossings);
+    }
+    if (c.isProven) {
+      add(c.leaf, c.lane, row, *proven_);
+      if (proven_->count == LeafHits::kMost) tellProven();
+      return;
+    }
+    double numbers[9];
+    tree_.getNumbers(words, c.lane, numbers, 1);
+    if (triangle::crosses(Vec3d::of(numbers), Vec3d::of(numbers + 3), Vec3d::of(numbers + 6),
+                          stream_.rays->rayOf(row), crossing.t, crossing.leaving) &&
+        crossing.t > 0) {
+      visitor_.visit(row, crossing);
+    }
   }
 
+  const Kernels& kernels_;
   RowCrossingVisitor& visitor_;
+  LeafHits* proven_;
+  Crossing* crossings_;  // of these, but for t and `leaving`
 };
 
 void CrossingsQuestion::walk(const AskedTree& tree, Stream& stream) {
   CrossingsWalk walk(*this, tree, stream);
   kernels_.all(stream);
   Walk::resolve(stream);
+  walk.tellProven();
 }
 
 void CrossingsQuestion::askObject(const Object3D& object, std::uint32_t /*order*/,

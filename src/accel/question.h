@@ -33,15 +33,20 @@ class AskedTree {
   virtual bool isOneObject() const { return false; }
   /// The triangle or sphere in lane `lane` of the leaf at `words`.
   virtual LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const = 0;
+  /// Stores its corners, or centre and radius, as the scene has them: numbers[k * stride] each.
+  virtual void getNumbers(const std::uint32_t* words, int lane, double* numbers,
+                          int stride) const = 0;
   /// A ray leaves `primitive`: true where another one of the same corners takes its place, which it
   /// then becomes.
   virtual bool takesPlace(LeafPrimitive& /*primitive*/) const { return false; }
   /// Shades hits on triangles (shadeHit), which so far have the normals of the triangles: the hits
   /// of the listed rows, which are in the space of the tree.
   virtual void shade(const RowList& /*rows*/, HitTable& /*hits*/) const {}
-  /// Object3D::visitCrossings of that primitive.
-  virtual void visitCrossings(const std::uint32_t* words, int lane, const Ray& ray,
-                              CrossingVisitor& visitor) const = 0;
+  /// Where a ray crosses that primitive, but for t and `leaving`.
+  virtual Crossing crossingAt(const std::uint32_t* words, int lane) const {
+    const LeafPrimitive p = primitiveAt(words, lane);
+    return {0, p.object, p.material, false, false};
+  }
   /// Asks object `id` of a leaf of objects, of which a mesh has none.
   virtual void askObject(std::uint32_t /*id*/, Question& /*question*/,
                          const RowList& /*rows*/) const {}

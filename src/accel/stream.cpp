@@ -79,13 +79,6 @@ void Stream::markEnded(bool* blocked) const {
   }
 }
 
-void LeafHits::add(int row, const LeafPrimitive& primitive) {
-  rows[count] = std::uint16_t(row);
-  const Vec3d vectors[] = {primitive.a, primitive.b, primitive.c};
-  for (int k = 0; k < 9; ++k) numbers[k][count] = vectors[k / 3][k % 3];
-  ++count;
-}
-
 void LeafHits::fillUp() {
   for (int k = count; k % 8 != 0; ++k) {
     rows[k] = rows[count - 1];

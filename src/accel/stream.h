@@ -85,7 +85,7 @@ struct Candidate {
   float tLow;          ///< it is not hit at any t' below this
   std::uint16_t ray;   ///< of the stream
   std::uint8_t lane;   ///< its place in the leaf
-  bool isProven;       ///< it is surely hit, between tmin and what tmax was
+  bool isProven;       ///< it is surely hit, between tmin and what tmax was; or crossed, at any t
 };
 
 /// A ray as it was outside of a frame.
@@ -169,18 +169,17 @@ struct Stream {
   void markEnded(bool* blocked) const;
 };
 
-/// A triangle or a sphere of a leaf, as it stands in the scene. Nothing is owned.
+/// Which triangle or sphere of the scene stands in a leaf. Nothing is owned.
 struct LeafPrimitive {
   const Object3D* object;  ///< the mesh, where it is one of its faces
   const Material* material;
   std::uint32_t order, face;  ///< place in the scene; 0 but for a face of a mesh
   bool isSphere;
-  Vec3d a, b, c;  ///< the corners; or the centre, and the radius as b.x
 };
 
-/// Triangles, or spheres, that are known to be hit, whose hits are still to be computed. The kernels
-/// compute them several at a time with the very operations of Triangle and Sphere, in the same
-/// order and in double, so with the same bits.
+/// Triangles, or spheres, that are known to be hit, whose hits are still to be computed. The
+/// kernels compute them several at a time with the very operations of Triangle and Sphere, in the
+/// same order and in double, so with the same bits.
 struct alignas(64) LeafHits {
   static constexpr int kMost = 64;
 
@@ -188,7 +187,6 @@ struct alignas(64) LeafHits {
   std::uint16_t rows[kMost];  ///< of the rays that hit them
   double numbers[9][kMost];   ///< the corners of each; or centre and radius
 
-  void add(int row, const LeafPrimitive& primitive);
   /// Repeats the last one up to a multiple of eight, so that the kernels find no garbage there.
   void fillUp();
 };
@@ -213,11 +211,13 @@ struct Kernels {
   /// Walk the tree. Candidates may be left over: the caller resolves them. A proven hit
   void (*nearest)(Stream& stream);  ///< lowers tmax';
   void (*any)(Stream& stream);      ///< ends its ray;
-  void (*all)(Stream& stream);      ///< is a candidate as any other.
+  void (*all)(Stream& stream);      ///< is a candidate as any other, where triangles are crossed.
   /// Store t, point, normal and magnitude in the rows of the rays; that of spheres takes t from
   /// tmax. Up to a multiple of eight, rows and numbers behind the count are read.
   void (*hitsOfTriangles)(const LeafHits& hits, const RayTable& rays, const HitTable& table);
   void (*hitsOfSpheres)(const LeafHits& hits, const RayTable& rays, const HitTable& table);
+  /// Stores t and `leaving` of the crossings of rays with triangles that they surely cross.
+  void (*crossTriangles)(const LeafHits& hits, const RayTable& rays, Crossing* crossings);
   /// Object3D::intersect of `count` shapes for the listed rays: lowers tmax to the t of each new
   /// hit, and sets its row. The shapes are in the order of the scene.
   void (*nearestOfShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,

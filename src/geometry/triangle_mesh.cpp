@@ -23,13 +23,12 @@ void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit
   hit.record(t, material_, normal, point, primitive);
 }
 
-void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor,
-                             std::uint32_t count) const {
+void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor& visitor) const {
   const auto [a, b, c] = geometry_->corners(face);
   double t;
   bool leaving;
   if (!triangle::crosses(a, b, c, ray, t, leaving) || !(t > 0)) return;
-  visitor.visit({t, this, material_, geometry_->isClosed(), leaving, count});
+  visitor.visit({t, this, material_, geometry_->isClosed(), leaving});
 }
 
 bool TriangleMesh::intersect(const Ray& ray, Hit& hit, double tmin) const {

@@ -5,8 +5,8 @@
 
 #include "accel/mesh_items.h"
 #include "check.h"
-#include "random.h"
 #include "geometry/shapes.h"
+#include "random.h"
 
 namespace {
 
@@ -41,10 +41,12 @@ class Inspection {
   void look(const MeshTree& tree, const std::uint32_t* words) {
     ++leaves_[(accel::verticesOf(*words) - 1) / 8];
     for (int lane = 0; lane < accel::countOf(*words); ++lane) {
-      const MeshTree::Triangle found = tree.triangleAt(words, lane);
-      ++seen_.at(found.face);
-      const auto [a, b, c] = mesh_.corners(found.face);
-      if (found.a != a || found.b != b || found.c != c) ++wrong_;
+      double found[9];
+      tree.getCorners(words, lane, found, 1);
+      const std::uint32_t face = MeshTree::faceAt(words, lane);
+      ++seen_.at(face);
+      const auto [a, b, c] = mesh_.corners(face);
+      if (Vec3d::of(found) != a || Vec3d::of(found + 3) != b || Vec3d::of(found + 6) != c) ++wrong_;
     }
   }
 
