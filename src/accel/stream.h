@@ -225,8 +225,8 @@ struct Kernels {
   /// Sets blocked[row] for those of the listed rays that meet any between tmin and tmax.
   void (*occludedByShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,
                            const RowList& list, bool* blocked);
-  /// Stores those of the listed rows whose rays, as long as they may be, do not pass the shape by,
-  /// and returns their number.
+  /// Stores those of the listed rows whose rays come to the shape, or leave it, between 0 and tmax,
+  /// or are inside of it all that way; returns their number.
   int (*rowsAtShape)(const ShapeNumbers& shape, const RayTable& rays, const RowList& list,
                      std::uint16_t* rows);
   /// Take the listed rays into a Transform, one row of `inside` each; and the hits `found` there,
