@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "math/vec3.h"
+#include "math/matrix.h"
 
 class BoundingBox {
  public:
@@ -29,6 +29,21 @@ class BoundingBox {
   void extend(const BoundingBox& other) {
     low_ = least(low_, other.low_);
     high_ = largest(high_, other.high_);
+  }
+  /// The box whose sides stand further out by `margin`.
+  BoundingBox widened(double margin) const {
+    const Vec3d margins(margin, margin, margin);
+    return {low_ - margins, high_ + margins};
+  }
+  /// The box of its eight corners as `matrix` moves them; of one that is not empty.
+  BoundingBox moved(const Matrix& matrix) const {
+    BoundingBox box;
+    for (int corner = 0; corner < 8; ++corner) {
+      box.extend(matrix.transformPoint({((corner & 1) != 0 ? high_ : low_).x(),
+                                        ((corner & 2) != 0 ? high_ : low_).y(),
+                                        ((corner & 4) != 0 ? high_ : low_).z()}));
+    }
+    return box;
   }
   /// True where all of `other` lies within, its sides too; false where a coordinate of it is NaN.
   bool contains(const BoundingBox& other) const {

@@ -152,6 +152,15 @@ TEST("a ray that passes by, looks away or has passed before tmin visits nothing"
   CHECK(CellWalk(frame, Ray({nan, nan, nan}, {nan, nan, nan}), 0).isAtEnd());
 }
 
+TEST("of an empty box there are no cells, and no ray passes any") {
+  const GridFrame frame(BoundingBox(), {3, 3, 3});
+  CHECK_EQUAL(frame.cellCount(), 0u);
+  for (const Vec3d& direction : {Vec3d(1, 0, 0), Vec3d(0, 0, -1), Vec3d(1, -2, 3)}) {
+    CHECK(CellWalk(frame, Ray({0, 0, 0}, direction), -kInf).isAtEnd());
+    CHECK(CellWalk(frame, Ray({5, 5, 5}, direction), 0).isAtEnd());
+  }
+}
+
 TEST("a box overlaps the cells that it reaches into, not those that it only touches") {
   const GridFrame frame(boxOf({0, 0, 0}, {8, 8, 8}), {8, 8, 8});
   const BoundingBox box = boxOf({1, 2.5, 4}, {3, 2.75, 4});

@@ -40,6 +40,10 @@ double areaInside(const Vec3d (&corners)[3], const BoundingBox& cell) {
   return length(sum) / 2;
 }
 
+WorldShape triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return WorldShape::triangle(Matrix(), {a, b, c});
+}
+
 bool overlap(const Vec3d (&corners)[3], const BoundingBox& cell) {
   BoundingBox box;
   for (const Vec3d& corner : corners) box.extend(corner);
@@ -65,7 +69,7 @@ TEST("a triangle meets the cells in which clipping leaves some of it") {
     if (!overlap(corners, cell)) continue;
     const double area = areaInside(corners, cell);
     if (area > 0 && area < 1e-6) continue;  // hardly more than touched
-    const bool meets = WorldShape::triangle(corners[0], corners[1], corners[2]).meets(cell);
+    const bool meets = triangle(corners[0], corners[1], corners[2]).meets(cell);
     (area > 0 ? met : missed) += 1;
     if (meets != (area > 0)) failure = "case " + std::to_string(i);
   }
@@ -76,14 +80,14 @@ TEST("a triangle meets the cells in which clipping leaves some of it") {
 TEST("touching a cell is not enough, but lying in the plane of its side is") {
   // A corner on the edge x = y = 1 of the cell, and a triangle in the plane x + y = 2 through it.
   const Vec3d beside(3, -0.5, 0.2), above(-0.5, 3, 0.8);
-  CHECK(!WorldShape::triangle({1, 1, 0.5}, beside, above).meets(kUnitCell));
-  CHECK(!WorldShape::triangle({0, 2, 0}, {2, 0, 0}, {1, 1, 1}).meets(kUnitCell));
+  CHECK(!triangle({1, 1, 0.5}, beside, above).meets(kUnitCell));
+  CHECK(!triangle({0, 2, 0}, {2, 0, 0}, {1, 1, 1}).meets(kUnitCell));
   // The same, moved inwards by 1e-6.
-  CHECK(WorldShape::triangle({1 - 1e-6, 1, 0.5}, beside, above).meets(kUnitCell));
-  CHECK(WorldShape::triangle({0, 2 - 1e-6, 0}, {2, 0, 0}, {1, 1 - 1e-6, 1}).meets(kUnitCell));
+  CHECK(triangle({1 - 1e-6, 1, 0.5}, beside, above).meets(kUnitCell));
+  CHECK(triangle({0, 2 - 1e-6, 0}, {2, 0, 0}, {1, 1 - 1e-6, 1}).meets(kUnitCell));
   // In the plane z = 1, flat or nearly so.
   for (const double tilt : {0.0, 1e-15}) {
-    CHECK(WorldShape::triangle({-1, 0, 1}, {3, -1, 1 - tilt}, {0, 3, 1 + tilt}).meets(kUnitCell));
+    CHECK(triangle({-1, 0, 1}, {3, -1, 1 - tilt}, {0, 3, 1 + tilt}).meets(kUnitCell));
   }
 }
 

@@ -12,18 +12,13 @@
 #include <optional>
 #include <string>
 
-#include "accel/test_tally.h"
 #include "accel/grid/grid_frame.h"
+#include "accel/test_tally.h"
 #include "geometry/object3d.h"
-
-namespace accel {
-class CellLists;
-class GridObjects;
-}  // namespace accel
 
 /// What bounds the memory of a grid.
 struct GridLimits {
-  double items = 0x1p25;    ///< objects and triangles, at the most, that are listed one by one
+  double items = 0x1p25;    ///< runs of faces, at the most, that are listed for meshes
   double entries = 0x1p26;  ///< of the lists of all cells together
 };
 
@@ -31,8 +26,8 @@ class Grid : public Object3D {
  public:
   /// Sorts everything below `root` into cells. `root` and what it holds are not owned, must outlive
   /// the grid and must not change any more. Where the lists would have more entries than `limits`
-  /// allow, the sides of `size` are halved until they have not; where the scene has more items, 2,
-  /// 4, 8 ... faces of a mesh in a row are listed as one. Where `tally` (not owned) is not null, it
+  /// allow, the sides of `size` are halved until they have not; where the scene has more faces, 2,
+  /// 3, 4 ... faces of a mesh in a row are listed as one. Where `tally` (not owned) is not null, it
   /// is told the cells visited and the objects and faces tested, each as often as cells list it;
   /// for crossings once.
   Grid(const Object3D& root, const GridSize& size, const GridLimits& limits = {},
@@ -47,19 +42,10 @@ class Grid : public Object3D {
   std::string describe() const;
 
  private:
-  /// What a ray has to ask.
-  enum class Way {
-    cells,       ///< the cells that it passes, and the objects beside
-    beside,      ///< the objects beside alone: nothing listed can be met
-    everything,  ///< the cells tell too little: the plain objects
-  };
-  Way wayOf(const Ray& ray, double tmin, double tmax) const;
-  template <class Question>
-  bool ask(Way way, const Ray& ray, double tmin, Question& question) const;
+  class Cells;
 
   TestTally* tally_;                         // not owned
   std::optional<CountingTree> countedRoot_;  // where there is a tally
   const Object3D* plain_;                    // the root itself, or counted
-  std::unique_ptr<const accel::GridObjects> objects_;
-  std::unique_ptr<const accel::CellLists> lists_;
+  std::unique_ptr<const Cells> cells_;
 };

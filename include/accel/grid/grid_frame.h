@@ -1,6 +1,8 @@
 // GridFrame: a box divided into equal cells; CellWalk: the cells that a ray passes, in order.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "geometry/ray.h"
@@ -18,7 +20,9 @@ inline constexpr int kMaxGridCells = 1 << 24;
 struct CellRange {
   GridSize first, last;
 
-  double count() const;
+  double count() const {
+    return double(last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1);
+  }
 };
 
 /// Calls visit(cell) for every cell of the range, in the order of GridFrame::indexOf.
@@ -34,12 +38,19 @@ void forEachCell(const CellRange& range, const Visit& visit) {
 
 class GridFrame {
  public:
-  /// Divides `box`, which is not empty and has finite corners. A side that is thinner than 2^-10 of
-  /// the longest one is widened to that; a box that is a point gets a size of its own.
+  /// No cells: no ray passes any.
+  GridFrame() : GridFrame(BoundingBox(), {}) {}
+  /// Divides `box`, whose corners are finite unless it is empty, which makes no cells whatever the
+  /// size. A side that is thinner than 2^-10 of the longest one is widened to that; a box that is a
+  /// point gets a size of its own.
   GridFrame(const BoundingBox& box, const GridSize& size);
 
+  /// 0 along each axis where there are no cells.
   const GridSize& size() const { return size_; }
-  std::size_t cellCount() const { return indexOf({size_[0] - 1, size_[1] - 1, size_[2] - 1}) + 1; }
+  std::size_t cellCount() const {
+    return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
+  }
+  CellRange allCells() const { return {{}, {size_[0] - 1, size_[1] - 1, size_[2] - 1}}; }
   std::size_t indexOf(const GridSize& cell) const {
     return (std::size_t(cell[2]) * std::size_t(size_[1]) + std::size_t(cell[1])) *
                std::size_t(size_[0]) +
@@ -49,11 +60,15 @@ class GridFrame {
   /// Where plane `number` (0..size) stands on `axis`: the lower side of the cell of that number.
   double plane(int axis, int number) const { return low_[axis] + side_[axis] * number; }
   BoundingBox boxOf(const GridSize& cell) const;
+  /// That of all cells.
+  BoundingBox box() const { return {boxOf({}).low(), boxOf(allCells().last).high()}; }
   /// The number of the cell that holds x, the nearest one where x lies outside; 0 for NaN.
   int cellAt(int axis, double x) const;
   /// The cells that `box` overlaps. One that it only touches from outside does not count, but there
   /// is at least one cell along each axis, the nearest where the box lies outside.
   CellRange overlappedBy(const BoundingBox& box) const;
+  /// The cells that `box` touches, and those at most `tolerance` of a cell beside it.
+  CellRange touchedBy(const BoundingBox& box, double tolerance) const;
 
  private:
   GridSize size_;
@@ -79,19 +94,24 @@ class CellWalk {
   int enterAxis() const { return enterAxis_; }
   int exitAxis() const { return exitAxis_; }
   /// Goes on to the next cell, or to the end.
-  void advance();
+  void advance() {
+    const int axis = exitAxis_;
+    enterT_ = std::max(enterT_, exits_[axis]);
+    enterAxis_ = axis;
+    cell_[axis] += direction_[axis] > 0 ? 1 : -1;
+    atEnd_ = cell_[axis] < 0 || cell_[axis] >= frame_->size()[axis] || !std::isfinite(enterT_);
+    if (!atEnd_) findExit(axis);
+  }
 
  private:
   double parameterAt(int axis, int plane) const;
-  bool enter(double tmin);
   void findExit(int axis);
-  void chooseExit();
 
   const GridFrame* frame_;  // not owned
   Vec3d origin_, direction_;
   GridSize cell_{};
-  double enterT_ = 0;
+  double enterT_;
   double exits_[3]{};  // where the ray would leave the cell across each axis
   int enterAxis_ = -1, exitAxis_ = 0;
-  bool atEnd_;
+  bool atEnd_ = true;
 };

@@ -3,7 +3,6 @@
 // is found out by one of two rules.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "accel/grid/grid_frame.h"
@@ -11,10 +10,10 @@
 
 /// How many objects, each face of a mesh being one, each cell of a grid holds.
 struct CellCounts {
-  std::optional<GridFrame> frame;  ///< none where the scene has no bounded object
+  GridFrame frame;  ///< of no cells where the scene has no bounded object
   std::vector<std::uint32_t> counts;
 
-  std::uint32_t at(const GridSize& cell) const { return counts[frame->indexOf(cell)]; }
+  std::uint32_t at(const GridSize& cell) const { return counts[frame.indexOf(cell)]; }
 };
 
 /// Divides the box of all bounded objects below `root` into cells. A cell holds a solid ball, a
@@ -36,7 +35,8 @@ class GridView : public Object3D {
  public:
   /// A cell of n objects is drawn in palette[n - 1], the last colour standing for all larger n. The
   /// palette is not empty; its materials are not owned.
-  GridView(CellCounts cells, std::vector<const Material*> palette);
+  GridView(CellCounts cells, std::vector<const Material*> palette)
+      : cells_(std::move(cells)), palette_(std::move(palette)) {}
 
   const CellCounts& cells() const { return cells_; }
 
@@ -48,5 +48,4 @@ class GridView : public Object3D {
  private:
   CellCounts cells_;
   std::vector<const Material*> palette_;  // not owned
-  double extent_ = 0;                     // the largest coordinate of the frame
 };

@@ -20,11 +20,9 @@ constexpr double kThinnest = 0x1p-10, kFinest = 0x1p-40;
 
 }  // namespace
 
-double CellRange::count() const {
-  return double(last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1);
-}
-
-GridFrame::GridFrame(const BoundingBox& box, const GridSize& size) : size_(size) {
+/// Of an empty box all planes stand at NaN, so that every walk is at its end.
+GridFrame::GridFrame(const BoundingBox& box, const GridSize& size)
+    : size_(box.isEmpty() ? GridSize{} : size) {
   const double largest = std::max(maxAbs(box.low()), maxAbs(box.high()));
   const double least = std::max(box.longestSide() * kThinnest, largest * kFinest);
   for (int axis = 0; axis < 3; ++axis) {
@@ -55,12 +53,38 @@ CellRange GridFrame::overlappedBy(const BoundingBox& box) const {
   return range;
 }
 
+CellRange GridFrame::touchedBy(const BoundingBox& box, double tolerance) const {
+  CellRange range{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double slack = tolerance * side_[axis];
+    range.first[axis] = cellAt(axis, box.low()[axis] - slack);
+    range.last[axis] = cellAt(axis, box.high()[axis] + slack);
+  }
+  return range;
+}
+
 CellWalk::CellWalk(const GridFrame& frame, const Ray& ray, double tmin)
-    : frame_(&frame), origin_(ray.getOrigin()), direction_(ray.getDirection()) {
-  atEnd_ = !enter(tmin);
-  if (atEnd_) return;
-  for (int axis = 0; axis < 3; ++axis) findExit(axis);
-  chooseExit();
+    : frame_(&frame), origin_(ray.getOrigin()), direction_(ray.getDirection()), enterT_(tmin) {
+  double left = kInf;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int end = frame.size()[axis];
+    const double o = origin_[axis], d = direction_[axis];
+    if (d == 0 && !(o >= frame.plane(axis, 0) && o <= frame.plane(axis, end))) return;
+    if (d == 0) continue;
+    const double near = parameterAt(axis, d > 0 ? 0 : end);
+    const double far = parameterAt(axis, d > 0 ? end : 0);
+    if (!(near <= far)) return;  // not a number
+    if (near > enterT_) enterAxis_ = axis;
+    enterT_ = std::max(enterT_, near);
+    left = std::min(left, far);
+  }
+  if (!(enterT_ <= left && std::isfinite(enterT_))) return;
+  atEnd_ = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    cell_[axis] = frame.cellAt(axis, origin_[axis] + direction_[axis] * enterT_);
+    if (axis == enterAxis_) cell_[axis] = direction_[axis] > 0 ? 0 : frame.size()[axis] - 1;
+    findExit(axis);
+  }
 }
 
 /// The t at which the ray passes a plane; the direction has a part along `axis`.
@@ -68,56 +92,10 @@ double CellWalk::parameterAt(int axis, int plane) const {
   return (frame_->plane(axis, plane) - origin_[axis]) / direction_[axis];
 }
 
-/// Finds the first cell; false where there is none.
-bool CellWalk::enter(double tmin) {
-  double entered = -kInf, left = kInf;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int end = frame_->size()[axis];
-    const double o = origin_[axis], d = direction_[axis];
-    if (d == 0) {
-      if (!(o >= frame_->plane(axis, 0) && o <= frame_->plane(axis, end))) return false;
-      continue;
-    }
-    const double near = parameterAt(axis, d > 0 ? 0 : end),
-                 far = parameterAt(axis, d > 0 ? end : 0);
-    if (!(near <= far)) return false;  // not a number
-    if (near > entered) {
-      entered = near;
-      enterAxis_ = axis;
-    }
-    left = std::min(left, far);
-  }
-  if (!(entered <= left && tmin <= left)) return false;
-  if (!(entered > tmin)) enterAxis_ = -1;
-  enterT_ = std::max(entered, tmin);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = direction_[axis];
-    if (axis == enterAxis_) {
-      cell_[axis] = d > 0 ? 0 : frame_->size()[axis] - 1;
-    } else {
-      cell_[axis] = frame_->cellAt(axis, d == 0 ? origin_[axis] : origin_[axis] + d * enterT_);
-    }
-  }
-  return enterT_ < kInf && enterT_ > -kInf;
-}
-
+/// Finds where the ray leaves the cell across `axis`, and chooses where it does so first.
 void CellWalk::findExit(int axis) {
   const double d = direction_[axis];
   exits_[axis] = d == 0 ? kInf : parameterAt(axis, cell_[axis] + (d > 0 ? 1 : 0));
-}
-
-void CellWalk::chooseExit() {
   exitAxis_ = exits_[1] < exits_[0] ? 1 : 0;
   if (exits_[2] < exits_[exitAxis_]) exitAxis_ = 2;
-}
-
-void CellWalk::advance() {
-  const int axis = exitAxis_;
-  enterT_ = std::max(enterT_, exits_[axis]);
-  enterAxis_ = axis;
-  cell_[axis] += direction_[axis] > 0 ? 1 : -1;
-  atEnd_ = cell_[axis] < 0 || cell_[axis] >= frame_->size()[axis] || !(enterT_ < kInf);
-  if (atEnd_) return;
-  findExit(axis);
-  chooseExit();
 }

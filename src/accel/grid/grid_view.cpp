@@ -1,26 +1,32 @@
 // GridView: counts the objects of each cell, then walks to the first cell that has any.
 //
-// countReached: balls and triangles are tested against every cell that their box overlaps. What
-// counts with its whole box is added to all cells at once, however many they are: the change of the
-// count is noted at the eight corners of the range of cells, and sums along x, then y, then z make
-// counts of the changes. countTouched does so with all but plain spheres. Source: Crow,
-// "Summed-Area Tables for Texture Mapping", 1984, read backwards.
+// Both rules name for each face a range of cells, and the shape in it where that is known. A known
+// shape is tested against every cell of its range. Any other counts in all of them at once, however
+// many they are: the change of the count is noted at the eight corners of the range, and sums along
+// x, then y, then z make counts of the changes. Source: Crow, "Summed-Area Tables for Texture
+// Mapping", 1984, read backwards.
 #include "accel/grid/grid_view.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <utility>
 
-#include "accel/grid/grid_objects.h"
+#include "accel/grid/flat_scene.h"
 #include "geometry/group.h"
 #include "geometry/sphere.h"
 
 namespace {
 
-/// Calls visit(object, face) for all faces of all objects.
+using accel::FlatObject;
+using accel::FlatScene;
+using accel::WorldShape;
+
+/// Calls visit(object, face) for all faces of all objects that are placed.
 template <class Visit>
-void forEachFace(const accel::GridObjects& objects, const Visit& visit) {
-  for (const accel::GridObject& object : objects.placed()) {
-    for (std::uint32_t face = 0; face < object.faceCount(); ++face) visit(object, face);
+void forEachFace(const FlatScene& scene, const Visit& visit) {
+  for (const FlatObject& object : scene.objects()) {
+    const std::uint32_t count = object.isPlaced ? object.faceCount() : 0;
+    for (std::uint32_t face = 0; face < count; ++face) visit(object, face);
   }
 }
 
@@ -28,75 +34,72 @@ void forEachFace(const accel::GridObjects& objects, const Visit& visit) {
 /// axis: signs multiply. Corners outside the frame change nothing.
 void addToCorners(const CellRange& range, CellCounts& cells) {
   for (int corner = 0; corner < 8; ++corner) {
-    GridSize cell;
+    GridSize cell = range.first;
     std::uint32_t change = 1;  // modulo 2^32, which sums undo
     bool isInside = true;
     for (int axis = 0; axis < 3; ++axis) {
-      const bool isBehind = (corner >> axis & 1) != 0;
-      cell[axis] = isBehind ? range.last[axis] + 1 : range.first[axis];
-      change = isBehind ? 0 - change : change;
-      isInside = isInside && cell[axis] < cells.frame->size()[axis];
+      if ((corner >> axis & 1) == 0) continue;
+      cell[axis] = range.last[axis] + 1;
+      change = 0 - change;
+      isInside = isInside && cell[axis] < cells.frame.size()[axis];
     }
-    if (isInside) cells.counts[cells.frame->indexOf(cell)] += change;
+    if (isInside) cells.counts[cells.frame.indexOf(cell)] += change;
   }
 }
 
 /// Makes counts of the changes.
 void sumCorners(CellCounts& cells) {
-  const GridSize& size = cells.frame->size();
   for (int axis = 0; axis < 3; ++axis) {
-    forEachCell({{0, 0, 0}, {size[0] - 1, size[1] - 1, size[2] - 1}}, [&](const GridSize& cell) {
+    forEachCell(cells.frame.allCells(), [&](const GridSize& cell) {
       if (cell[axis] == 0) return;
       GridSize before = cell;
       --before[axis];
-      cells.counts[cells.frame->indexOf(cell)] += cells.at(before);
+      cells.counts[cells.frame.indexOf(cell)] += cells.at(before);
     });
   }
 }
 
-CellCounts emptyCells(const BoundingBox& box, const GridSize& size) {
-  CellCounts cells;
-  cells.frame.emplace(box, size);
-  cells.counts.resize(cells.frame->cellCount());
+/// Counts each face of the scene in the cells of a range: in those that its shape meets, or in all
+/// where that is not known. reachOf(object, face) gives both.
+template <class ReachOf>
+CellCounts count(const FlatScene& scene, const GridFrame& frame, const ReachOf& reachOf) {
+  const std::vector<std::uint32_t> zeros(frame.cellCount());
+  CellCounts cells{frame, zeros}, changes{frame, zeros};
+  forEachFace(scene, [&](const FlatObject& object, std::uint32_t face) {
+    const auto [range, shape] = reachOf(object, face);
+    if (!shape.isKnown()) return addToCorners(range, changes);
+    forEachCell(range, [&, &known = shape](const GridSize& cell) {
+      cells.counts[frame.indexOf(cell)] += known.meets(frame.boxOf(cell));
+    });
+  });
+  sumCorners(changes);
+  std::transform(cells.counts.begin(), cells.counts.end(), changes.counts.begin(),
+                 cells.counts.begin(), std::plus<>());
   return cells;
 }
 
-/// The cells that a box touches, and those a little beside.
-CellRange touchedBy(const BoundingBox& box, const GridFrame& frame) {
-  constexpr double kTolerance = 3e-5;  // of a cell
-  CellRange range{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double slack = kTolerance * (frame.plane(axis, 1) - frame.plane(axis, 0));
-    range.first[axis] = frame.cellAt(axis, box.low()[axis] - slack);
-    range.last[axis] = frame.cellAt(axis, box.high()[axis] + slack);
-  }
-  return range;
-}
+/// A sphere of the world, taken to be in all cells whose centres are near its own.
+struct NearCells {
+  Vec3d center;
+  double reach = 0;  ///< unknown where it is 0
 
-/// The box of a box's eight corners as `matrix` maps them.
-BoundingBox boxOfCorners(const BoundingBox& box, const Matrix& matrix) {
-  BoundingBox around;
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3d point;
-    for (int axis = 0; axis < 3; ++axis) {
-      point[axis] = (corner >> axis & 1) != 0 ? box.high()[axis] : box.low()[axis];
-    }
-    around.extend(matrix.transformPoint(point));
+  bool isKnown() const { return reach > 0; }
+  bool meets(const BoundingBox& cell) const {
+    return length((cell.low() + cell.high()) * 0.5 - center) <= reach;
   }
-  return around;
-}
+};
 
 /// The box of what is bounded below `object`, corner by corner of the box inside at each Transform.
 /// The depth of recursion is the scene's nesting.
 BoundingBox cornerBox(const Object3D& object) {
   BoundingBox box;
-  if (const auto* group = dynamic_cast<const Group*>(&object)) {
+  if (const auto* group = exactly<Group>(&object)) {
     for (const Object3D* member : group->getObjects()) {
       if (member) box.extend(cornerBox(*member));
     }
-  } else if (const auto* transform = dynamic_cast<const Transform*>(&object)) {
+  } else if (const auto* transform = exactly<Transform>(&object)) {
     const BoundingBox inside = cornerBox(*transform->getObject());
-    if (!inside.isEmpty()) box = boxOfCorners(inside, transform->getMatrix());
+    if (!inside.isEmpty()) box = inside.moved(transform->getMatrix());
   } else if (object.isBounded()) {
     object.addBounds(Matrix(), box);
   }
@@ -106,86 +109,47 @@ BoundingBox cornerBox(const Object3D& object) {
 }  // namespace
 
 CellCounts countReached(const Object3D& root, const GridSize& size, double mostTests) {
-  const accel::GridObjects objects(root);
-  if (objects.box().isEmpty()) return {};
-  CellCounts cells = emptyCells(objects.box(), size);
-  const auto cellsOf = [&](const accel::GridObject& object, std::uint32_t face) {
-    return cells.frame->overlappedBy(objects.boxOf(object, face, face + 1));
+  const FlatScene scene(root);
+  const GridFrame frame(scene.box(), size);
+  const auto rangeOf = [&](const FlatObject& object, std::uint32_t face) {
+    return frame.overlappedBy(scene.boxOf(object, face, face + 1));
   };
   double tests = 0;
-  forEachFace(objects, [&](const auto& object, std::uint32_t face) {
-    tests += cellsOf(object, face).count();
+  forEachFace(scene, [&](const FlatObject& object, std::uint32_t face) {
+    tests += rangeOf(object, face).count();
   });
-  const auto shapeOf = [&](const accel::GridObject& object, std::uint32_t face) {
-    return tests <= mostTests ? objects.shapeOf(object, face) : accel::WorldShape();
-  };
-  forEachFace(objects, [&](const auto& object, std::uint32_t face) {
-    if (!shapeOf(object, face).isKnown()) addToCorners(cellsOf(object, face), cells);
+  return count(scene, frame, [&](const FlatObject& object, std::uint32_t face) {
+    return std::make_pair(rangeOf(object, face),
+                          tests <= mostTests ? scene.shapeOf(object, face) : WorldShape());
   });
-  sumCorners(cells);
-  forEachFace(objects, [&](const auto& object, std::uint32_t face) {
-    const accel::WorldShape shape = shapeOf(object, face);
-    if (!shape.isKnown()) return;
-    forEachCell(cellsOf(object, face), [&](const GridSize& cell) {
-      cells.counts[cells.frame->indexOf(cell)] += shape.meets(cells.frame->boxOf(cell));
-    });
-  });
-  return cells;
 }
 
 CellCounts countTouched(const Object3D& root, const GridSize& size) {
-  const BoundingBox box = cornerBox(root);
-  if (box.isEmpty()) return {};
-  CellCounts cells = emptyCells(box, size);
-  const accel::GridObjects objects(root);
-  const auto plainSphere = [&](const accel::GridObject& object) {
-    const bool isInWorld = object.transform == accel::GridTransform::kWorld;
-    return isInWorld ? dynamic_cast<const Sphere*>(object.object) : nullptr;
-  };
-  forEachFace(objects, [&](const auto& object, std::uint32_t face) {
-    if (plainSphere(object)) return;
-    const bool isMovedSphere = dynamic_cast<const Sphere*>(object.object) != nullptr;
-    const BoundingBox own =
-        isMovedSphere
-            ? boxOfCorners(cornerBox(*object.object), objects.transformAt(object.transform).toWorld)
-            : objects.boxOf(object, face, face + 1);
-    addToCorners(touchedBy(own, *cells.frame), cells);
-  });
-  sumCorners(cells);
-  const BoundingBox firstCell = cells.frame->boxOf({0, 0, 0});
-  const double halfDiagonal = length(firstCell.high() - firstCell.low()) / 2;
-  forEachFace(objects, [&](const auto& object, std::uint32_t) {
-    const Sphere* const sphere = plainSphere(object);
-    if (!sphere) return;
-    const double reach = sphere->getRadius() + halfDiagonal;
-    const Vec3d center = sphere->getCenter(), reaches(reach, reach, reach);
-    forEachCell(touchedBy({center - reaches, center + reaches}, *cells.frame),
-                [&](const GridSize& cell) {
-                  const BoundingBox around = cells.frame->boxOf(cell);
-                  const Vec3d middle = (around.low() + around.high()) * 0.5;
-                  const bool isNear = length(middle - center) <= reach;
-                  cells.counts[cells.frame->indexOf(cell)] += isNear;
-                });
-  });
-  return cells;
-}
-
-GridView::GridView(CellCounts cells, std::vector<const Material*> palette)
-    : cells_(std::move(cells)), palette_(std::move(palette)) {
-  if (!cells_.frame) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const int number : {0, cells_.frame->size()[axis]}) {
-      extent_ = std::max(extent_, std::fabs(cells_.frame->plane(axis, number)));
+  constexpr double kTolerance = 3e-5;  // of a cell
+  const FlatScene scene(root);
+  const GridFrame frame(cornerBox(root), size);
+  const BoundingBox cell = frame.boxOf({});
+  const double halfDiagonal = length(cell.high() - cell.low()) / 2;
+  return count(scene, frame, [&](const FlatObject& object, std::uint32_t face) {
+    BoundingBox box = scene.boxOf(object, face, face + 1);
+    NearCells near;
+    const auto* sphere = exactly<Sphere>(object.object);
+    if (sphere && object.transform == FlatScene::kWorld) {
+      near = {sphere->getCenter(), sphere->getRadius() + halfDiagonal};
+      box = BoundingBox(near.center, near.center).widened(near.reach);
+    } else if (sphere) {
+      box = cornerBox(*sphere).moved(scene.transformAt(object.transform).toWorld);
     }
-  }
+    return std::make_pair(frame.touchedBy(box, kTolerance), near);
+  });
 }
 
 bool GridView::intersect(const Ray& ray, Hit& hit, double tmin) const {
-  if (!cells_.frame) return false;
-  for (CellWalk walk(*cells_.frame, ray, tmin); !walk.isAtEnd() && walk.enterT() < hit.getT();
+  const GridFrame& frame = cells_.frame;
+  for (CellWalk walk(frame, ray, tmin); !walk.isAtEnd() && walk.enterT() < hit.getT();
        walk.advance()) {
-    const std::size_t index = walk.index();
-    if (cells_.counts[index] == 0 || ray.leaves(this, std::uint32_t(index))) continue;
+    const auto cell = std::uint32_t(walk.index());
+    if (cells_.counts[cell] == 0 || ray.leaves(this, cell)) continue;
     const bool enters = walk.enterAxis() >= 0 && walk.enterT() > tmin;
     const double t = enters ? walk.enterT() : walk.exitT();
     if (!(t > tmin && t < hit.getT())) continue;
@@ -193,10 +157,10 @@ bool GridView::intersect(const Ray& ray, Hit& hit, double tmin) const {
     const bool towardsMore = ray.getDirection()[axis] > 0;
     Vec3d normal;
     normal[axis] = towardsMore == enters ? -1 : 1;
-    const std::size_t color = std::min<std::size_t>(cells_.counts[index], palette_.size()) - 1;
+    const std::size_t color = std::min<std::size_t>(cells_.counts[cell], palette_.size()) - 1;
     const Vec3d point = ray.pointAtParameter(t);
-    hit.record(t, palette_[color], normal, point,
-               {this, std::uint32_t(index), magnitudeOf(t, point, ray, extent_)});
+    const double extent = std::max(maxAbs(frame.box().low()), maxAbs(frame.box().high()));
+    hit.record(t, palette_[color], normal, point, {this, cell, magnitudeOf(t, point, ray, extent)});
     return true;
   }
   return false;

@@ -16,7 +16,8 @@ class WorldShape {
   /// The ball around `center` that `toWorld` makes of one of this radius > 0; known by its box
   /// alone where it is no ball, because the map does not stretch all directions alike.
   static WorldShape ball(const Matrix& toWorld, const Vec3d& center, double radius);
-  static WorldShape triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+  /// What `toWorld` makes of the triangle of these corners.
+  static WorldShape triangle(const Matrix& toWorld, const std::array<Vec3d, 3>& corners);
 
   bool isKnown() const { return kind_ != Kind::box; }
 
@@ -30,9 +31,6 @@ class WorldShape {
 
  private:
   enum class Kind { box, ball, triangle };
-
-  WorldShape(Kind kind, const std::array<Vec3d, 3>& points, double radius)
-      : kind_(kind), points_(points), radius_(radius) {}
 
   bool isSeparated(const Vec3d& axis, const BoundingBox& cell) const;
 

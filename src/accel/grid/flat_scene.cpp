@@ -1,4 +1,4 @@
-// GridObjects: walks the tree of objects, and bounds what rounding can do to a hit.
+// FlatScene: walks the tree of objects, and bounds what rounding can do to a hit.
 //
 // The margin, how far beyond its surface a hit may seem to lie, is kSlack of the scene. Half of it
 // is for the walk through the cells, and for rays that strike a triangle so flat that t loses
@@ -8,7 +8,7 @@
 //     around that one stretch.
 // An object whose errors are larger than that has no place in a grid, nor has one whose numbers are
 // so large or small that their squares and cubes leave the range.
-#include "accel/grid/grid_objects.h"
+#include "accel/grid/flat_scene.h"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ bool isMeasurable(const BoundingBox& box) {
 
 }  // namespace
 
-bool GridObject::intersect(std::uint32_t face, const Ray& ray, Hit& hit, double tmin) const {
+bool FlatObject::intersect(std::uint32_t face, const Ray& ray, Hit& hit, double tmin) const {
   if (!mesh) return object->intersect(ray, hit, tmin);
   double t;
   if (!mesh->nearestRoot(face, ray, tmin, hit.getT(), t)) return false;
@@ -42,30 +42,30 @@ bool GridObject::intersect(std::uint32_t face, const Ray& ray, Hit& hit, double 
   return true;
 }
 
-bool GridObject::occluded(std::uint32_t face, const Ray& ray, double tmin, double tmax) const {
+bool FlatObject::occluded(std::uint32_t face, const Ray& ray, double tmin, double tmax) const {
   double t;
   return mesh ? mesh->nearestRoot(face, ray, tmin, tmax, t) : object->occluded(ray, tmin, tmax);
 }
 
-void GridObject::visitCrossings(std::uint32_t face, const Ray& ray,
+void FlatObject::visitCrossings(std::uint32_t face, const Ray& ray,
                                 CrossingVisitor& visitor) const {
   mesh ? mesh->visitFace(face, ray, visitor) : object->visitCrossings(ray, visitor);
 }
 
-GridObjects::GridObjects(const Object3D& root) {
-  add(&root, GridTransform::kWorld);
-  keepPlaced([&](const GridObject& object) {
+FlatScene::FlatScene(const Object3D& root) {
+  add(&root, kWorld);
+  for (FlatObject& each : objects_) {
     BoundingBox own;
-    object.object->addBounds(Matrix(), own);
-    return object.object->isBounded() && isMeasurable(own) &&
-           isMeasurable(boxOf(object, 0, object.faceCount()));
-  });
-  for (const GridObject& object : placed_) box_.extend(boxOf(object, 0, object.faceCount()));
-  if (!placed_.empty()) findErrors();
+    each.object->addBounds(Matrix(), own);
+    const BoundingBox box = boxOf(each, 0, each.faceCount());
+    each.isPlaced = each.object->isBounded() && isMeasurable(own) && isMeasurable(box);
+    if (each.isPlaced) box_.extend(box);
+  }
+  boundErrors();
 }
 
 /// The depth of recursion is the scene's nesting.
-void GridObjects::add(const Object3D* object, int transform) {
+void FlatScene::add(const Object3D* object, int transform) {
   if (const auto* group = exactly<Group>(object)) {
     for (const Object3D* member : group->getObjects()) {
       if (member) add(member, transform);
@@ -74,42 +74,52 @@ void GridObjects::add(const Object3D* object, int transform) {
     transforms_.push_back({inner, transform, transformAt(transform).toWorld * inner->getMatrix()});
     add(inner->getObject(), int(transforms_.size()) - 1);
   } else {
-    const auto order = std::uint32_t(placed_.size());
-    placed_.push_back({object, exactly<TriangleMesh>(object), transform, order});
+    objects_.push_back({object, exactly<TriangleMesh>(object), transform});
   }
 }
 
-/// Moves the placed objects for which hasPlace(object) is false beside, both in scene order.
-template <class Predicate>
-void GridObjects::keepPlaced(const Predicate& hasPlace) {
-  const auto end = std::stable_partition(placed_.begin(), placed_.end(), hasPlace);
-  beside_.insert(beside_.end(), end, placed_.end());
-  placed_.erase(end, placed_.end());
-}
-
-void GridObjects::findErrors() {
+/// Finds the margin, and takes away the place of what needs a larger one.
+void FlatScene::boundErrors() {
+  if (box_.isEmpty()) return;
   const double size = box_.longestSide();
   margin_ = size * kSlack;
   reach_ = size * kReach + std::max(maxAbs(box_.low()), maxAbs(box_.high()));
-  transforms_[GridTransform::kWorld].largest = 4 * reach_;
-  transforms_[GridTransform::kWorld].error = 4 * reach_ * kUnit;
+  transforms_[kWorld].largest = 4 * reach_;
+  transforms_[kWorld].error = 4 * reach_ * kUnit;
   for (std::size_t i = 1; i < transforms_.size(); ++i) {  // the outer ones come first
-    GridTransform& each = transforms_[i];
-    const GridTransform& parent = transformAt(each.parent);
+    FlatTransform& each = transforms_[i];
+    const FlatTransform& parent = transformAt(each.parent);
     const double x = parent.largest;
     const TransformError own = errorThrough(*each.transform, {});
     each.largest = each.transform->getInverse().magnitudeAt({x, x, x});
     each.error = parent.error + stretchOf(parent.toWorld) * kUnit * (own.perSize * x + own.fixed);
   }
-  keepPlaced([&](const GridObject& object) {
-    const GridTransform& inside = transformAt(object.transform);
-    return inside.error < margin_ / 2 && inside.largest < kLargest &&
-           stretchOf(inside.toWorld) < kLargest;
-  });
+  for (FlatObject& each : objects_) {
+    const FlatTransform& inside = transformAt(each.transform);
+    const bool isExact = inside.error < margin_ / 2 && inside.largest < kLargest &&
+                         stretchOf(inside.toWorld) < kLargest;
+    each.isPlaced = each.isPlaced && isExact;
+  }
 }
 
-BoundingBox GridObjects::boxOf(const GridObject& object, std::uint32_t first,
-                               std::uint32_t last) const {
+/// The way in once more, to know the rays outside; then each step out needs the one before it.
+void FlatScene::restate(int transform, const Ray& world, Hit& hit) const {
+  std::vector<const Transform*> path;  // the innermost first
+  for (int n = transform; n != kWorld; n = transformAt(n).parent) {
+    path.push_back(transformAt(n).transform);
+  }
+  std::vector<Ray> outsides;  // of the outermost first
+  for (std::size_t i = path.size(); i-- > 0;) {
+    outsides.push_back(outsides.empty() ? world : path[i + 1]->toObject(outsides.back()));
+  }
+  for (const Transform* each : path) {
+    each->toParent(outsides.back(), hit);
+    outsides.pop_back();
+  }
+}
+
+BoundingBox FlatScene::boxOf(const FlatObject& object, std::uint32_t first,
+                             std::uint32_t last) const {
   const Matrix& matrix = transformAt(object.transform).toWorld;
   BoundingBox box;
   if (last - first == object.faceCount()) {  // all of it, which a mesh knows more quickly
@@ -117,25 +127,24 @@ BoundingBox GridObjects::boxOf(const GridObject& object, std::uint32_t first,
     return box;
   }
   for (std::uint32_t face = first; face < last; ++face) {
-    for (int corner = 0; corner < 3; ++corner) {
-      box.extend(matrix.transformPoint(object.mesh->getGeometry().corner(face, corner)));
+    for (const Vec3d& corner : object.mesh->getGeometry().corners(face)) {
+      box.extend(matrix.transformPoint(corner));
     }
   }
   return box;
 }
 
-WorldShape GridObjects::shapeOf(const GridObject& object, std::uint32_t face) const {
+WorldShape FlatScene::shapeOf(const FlatObject& object, std::uint32_t face) const {
   const Matrix& matrix = transformAt(object.transform).toWorld;
   if (const auto* sphere = exactly<Sphere>(object.object)) {
     return WorldShape::ball(matrix, sphere->getCenter(), sphere->getRadius());
   }
-  const auto* triangle = exactly<Triangle>(object.object);
-  if (!object.mesh && !triangle) return {};
-  const auto corner = [&](int number) {
-    return matrix.transformPoint(triangle ? triangle->getVertex(number)
-                                          : object.mesh->getGeometry().corner(face, number));
-  };
-  return WorldShape::triangle(corner(0), corner(1), corner(2));
+  if (const auto* triangle = exactly<Triangle>(object.object)) {
+    return WorldShape::triangle(
+        matrix, {triangle->getVertex(0), triangle->getVertex(1), triangle->getVertex(2)});
+  }
+  if (!object.mesh) return {};
+  return WorldShape::triangle(matrix, object.mesh->getGeometry().corners(face));
 }
 
 }  // namespace accel
