@@ -12,8 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "accel/grid/flat_scene.h"
@@ -59,10 +59,6 @@ struct Grid::Cells {
   struct Item {
     std::uint32_t object;  ///< its number in the scene
     std::uint32_t first, last;
-
-    bool operator<(const Item& other) const {
-      return object != other.object ? object < other.object : first < other.first;
-    }
   };
   /// An item in the list of a cell, and the number of the list's next entry, or kEnd.
   struct Entry {
@@ -227,20 +223,18 @@ void Grid::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   if (!cells_->listAll(ray, 0, kEndless)) return plain_->visitCrossings(ray, visitor);
   TestCounts counts;
-  std::vector<Cells::Item> items;
+  std::vector<const Cells::Item*> items;
   cells_->walk(ray, 0, kEndless, counts, [&](const Cells::Item& item) {
-    items.push_back(item);
+    items.push_back(&item);
     return false;
   });
-  std::sort(items.begin(), items.end());
-  const auto end = std::unique(items.begin(), items.end(),
-                               [](const auto& a, const auto& b) { return !(a < b); });
-  items.erase(end, items.end());
+  std::sort(items.begin(), items.end(), std::less<>());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
   RayInTransforms rays(cells_->scene, ray);
-  for (const Cells::Item& item : items) {
-    const FlatObject& object = cells_->scene.objects()[item.object];
-    counts.primitives += item.last - item.first;
-    for (std::uint32_t face = item.first; face < item.last; ++face) {
+  for (const Cells::Item* item : items) {
+    const FlatObject& object = cells_->scene.objects()[item->object];
+    counts.primitives += item->last - item->first;
+    for (std::uint32_t face = item->first; face < item->last; ++face) {
       object.visitCrossings(face, rays.in(object.transform), visitor);
     }
   }
