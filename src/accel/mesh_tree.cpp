@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "accel/face_parts.h"
 #include "accel/mesh_items.h"
 #include "accel/simd4.h"
 #include "accel/thread_pool.h"
@@ -166,22 +167,21 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     BoundingBox box;
     geometry.addBounds(Matrix(), box);
     const float scale = scaleFor(box);
-    const auto beginTree = [&] {
+    Findings findings;
+    const MeshLeafWriter writer(geometry, scale, findings);
+    const auto build = [&](BuildItems items) {
       bvh_ = {};
       bvh_.scale = scale;
       for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = geometry.getOrigin()[axis];
+      bvh_.isInParts = divideIntoParts(geometry, scale, items, pool);
+      buildWideBvh(bvh_, std::move(items), writer, pool);
     };
-    beginTree();
-    Findings findings;
-    const MeshLeafWriter writer(geometry, scale, findings);
-    buildWideBvh(bvh_, meshItems(geometry, scale, true, pool), writer, pool);
+    build(meshItems(geometry, scale, true, pool));
     unscale_ = findings.isExact && !geometry.isFar() ? 1 / bvh_.scale : 0;
     if (findings.piled.size() < kPilesThatPay) return;
     BuildItems items = meshItems(geometry, scale, false, pool);
     copies_ = dropCopies(geometry, findings.piled, items);
-    if (copies_.empty()) return;
-    beginTree();
-    buildWideBvh(bvh_, std::move(items), writer, pool);
+    if (!copies_.empty()) build(std::move(items));
   });
 }
 

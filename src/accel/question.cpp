@@ -7,13 +7,15 @@
 //              triangle is left and it is proven, nothing is to be decided; else each is asked. The
 //              hits of all winners are then computed together.
 //   occluded   Any candidate that is hit between tmin and tmax blocks its ray.
-//   crossings  Of an object that is met before tmax, all crossings count, before and behind it.
-//              Those with triangles that are proven to be hit are computed together; they lie far
-//              enough from all edges to be crossed as well.
+//   crossings  Of an object that is met before tmax, all crossings count, before and behind it; a
+//              face once, in however many leaves it is met. Those with triangles that are proven to
+//              be hit are computed together; they lie far enough from all edges to be crossed as
+//              well.
 // Where more candidates come than are kept, they are decided while the walk goes on.
 #include "accel/question.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "accel/object_tree.h"
 #include "geometry/sphere.h"
@@ -371,6 +373,7 @@ class CrossingsQuestion::CrossingsWalk : public Walk {
   void decide(const Candidate& c) override {
     const std::uint32_t* words = stream_.words + c.leaf;
     const int row = stream_.rowOf(c.ray);
+    if (stream_.bvh->isInParts && !isNew(row, tree_.primitiveAt(words, c.lane).face)) return;
     Crossing& crossing = crossings_[proven_->count] = tree_.crossingAt(words, c.lane);
     if (kindOf(*words) == LeafKind::spheres) {
       CrossingsOfRow crossings(row, visitor_);
@@ -390,10 +393,16 @@ class CrossingsQuestion::CrossingsWalk : public Walk {
     }
   }
 
+  /// Whether the row's ray has not met the face in another leaf.
+  bool isNew(int row, std::uint32_t face) {
+    return met_.insert(std::uint64_t(row) << 32 | face).second;
+  }
+
   const Kernels& kernels_;
   RowCrossingVisitor& visitor_;
   LeafHits* proven_;
   Crossing* crossings_;  // of these, but for t and `leaving`
+  std::unordered_set<std::uint64_t> met_;
 };
 
 void CrossingsQuestion::walk(const AskedTree& tree, Stream& stream) {

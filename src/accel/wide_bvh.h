@@ -70,8 +70,9 @@ struct WideBvh {
   /// a load of eight to run over. Empty where there is nothing to hit.
   PageBuffer memory;
   std::size_t nodeCount = 0, leafWords = 0;
-  int levels = 0;       ///< of nodes and frames
-  int frameLevels = 0;  ///< of frames that are in one another
+  int levels = 0;          ///< of nodes and frames
+  int frameLevels = 0;     ///< of frames that are in one another
+  bool isInParts = false;  ///< a primitive may be in several leaves
   double anchor[3] = {0, 0, 0};
   double scale = 1;
   TreeFrame whole = {};  ///< around everything
