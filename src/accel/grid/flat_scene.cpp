@@ -102,6 +102,13 @@ void FlatScene::boundErrors() {
   }
 }
 
+/// The depth of recursion is the scene's nesting.
+Ray FlatScene::rayInside(int transform, const Ray& world) const {
+  if (transform == kWorld) return world;
+  const FlatTransform& inner = transformAt(transform);
+  return inner.transform->toObject(rayInside(inner.parent, world));
+}
+
 /// The way in once more, to know the rays outside; then each step out needs the one before it.
 void FlatScene::restate(int transform, const Ray& world, Hit& hit) const {
   std::vector<const Transform*> path;  // the innermost first

@@ -49,12 +49,8 @@ class FlatScene {
   const std::vector<FlatObject>& objects() const { return objects_; }
 
   const FlatTransform& transformAt(int number) const { return transforms_[std::size_t(number)]; }
-  /// A ray of the world as it is inside a Transform. The depth of recursion is the scene's nesting.
-  Ray rayInside(int transform, const Ray& world) const {
-    if (transform == kWorld) return world;
-    const FlatTransform& inner = transformAt(transform);
-    return inner.transform->toObject(rayInside(inner.parent, world));
-  }
+  /// A ray of the world as it is inside a Transform.
+  Ray rayInside(int transform, const Ray& world) const;
   /// Takes a hit inside a Transform out to the world, step by step.
   void restate(int transform, const Ray& world, Hit& hit) const;
 
