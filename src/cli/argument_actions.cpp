@@ -24,12 +24,13 @@ using Pattern = SamplingOptions::Pattern;
 using FilterKind = SamplingOptions::FilterKind;
 using CellPicture = Acceleration::CellPicture;
 
-/// This member of the piece of the request that has it.
+/// This member of the draft, or of the piece of the request that has it.
 template <class Piece, class Value>
-Value& memberOf(Request& request, Value Piece::*member) {
+Value& memberOf(Draft& draft, Value Piece::*member) {
+  Request& request = draft;
   PictureRequest& picture = request.render.picture;
   const auto pieces =
-      std::tie(request, picture, picture.render, picture.rules, picture.acceleration,
+      std::tie(draft, request, picture, picture.render, picture.rules, picture.acceleration,
                request.render.results, request.run, request.compare);
   return std::get<Piece&>(pieces).*member;
 }
@@ -46,16 +47,10 @@ void setInteger(Words words, Draft& draft) {
   memberOf(draft, member) = words.integer(0, least, most);
 }
 
-/// One file, "-" being standard input or output.
-template <auto member>
+/// One file, "-" being standard input or output; with ArgumentWords::picture a picture's.
+template <auto member, auto nameIn = &ArgumentWords::file>
 void setFile(Words words, Draft& draft) {
-  memberOf(draft, member) = words.file(0);
-}
-
-/// One picture that is written.
-template <auto member>
-void setPicture(Words words, Draft& draft) {
-  memberOf(draft, member) = words.picture(0);
+  memberOf(draft, member) = (words.*nameIn)(0);
 }
 
 /// One of the choices of the row, which stand in the order of the member's values. Names of
@@ -102,12 +97,6 @@ void wantDepth(Words words, Draft& draft) {
 /// What it brings holds since before the first argument: startFrom.
 void setCourse(Words words, Draft& draft) {
   draft.render.picture.course = &courseAt(words.choice(false));
-}
-
-/// One that says what it means only together with others.
-template <bool Draft::*member>
-void note(Words, Draft& draft) {
-  draft.*member = true;
 }
 
 /// Without effect, which is told.
@@ -322,7 +311,7 @@ constexpr ArgumentAction kActions[] = {
     {"compare", setCompare, Mode::comparing},
     {"tolerance", setInteger<&CompareRequest::tolerance, 0, 255>, Mode::comparing},
     {"fail_percent", setFailPercent, Mode::comparing},
-    {"diff", setPicture<&CompareRequest::diff>, Mode::comparing},
+    {"diff", setFile<&CompareRequest::diff, &ArgumentWords::picture>, Mode::comparing},
     {"report", setFile<&CompareRequest::report>, Mode::comparing},
     {"csv", setFile<&CompareRequest::csv>, Mode::comparing},
 
@@ -333,8 +322,8 @@ constexpr ArgumentAction kActions[] = {
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},
 
-    {"jitter", note<&Draft::isJittered>},
-    {"filter", note<&Draft::isFiltered>},
+    {"jitter", set<&Draft::isJittered>},
+    {"filter", set<&Draft::isFiltered>},
 
     unseen({"gui", addIdle}),
     unseen({"gouraud", addIdle}),
