@@ -13,7 +13,9 @@
 #include <cmath>
 
 #include "math/bounding_box.h"
+#include "scene/number_reader.h"
 #include "scene/obj_reader.h"
+#include "scene/obj_words.h"
 
 namespace {
 
@@ -33,6 +35,20 @@ bool isFarMesh(const std::vector<Vec3f>& vertices, const std::vector<MeshGeometr
     if (!isFar(box)) return false;
   }
   return !faces.empty();
+}
+
+void readObjPlaces(std::string_view statements, std::vector<Vec3d>& places) {
+  const ObjWords words(statements.data() + statements.size());
+  words.forEachStatement(statements.data(), [&](const char* p) {
+    if (!words.isStatement('v', p)) return p;
+    Vec3d& place = places.emplace_back();
+    ++p;
+    for (int axis = 0; axis < 3; ++axis) {
+      const char* const stop = scanDouble(words.findWord(p), words.end(), place[axis]);
+      if (stop) p = stop;
+    }
+    return p;
+  });
 }
 
 Vec3d measureFromMiddle(const std::vector<Vec3d>& places,

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "geometry/polygon.h"
+#include "scene/obj_words.h"
 #include "scene/wording.h"
 #include "system/memory.h"
 #include "system/worker_threads.h"
@@ -18,10 +19,6 @@ using FaceLists = std::array<std::vector<MeshGeometry::Face>*, 3>;
 /// Thrown where a chunk shows that the file must be read as one.
 struct IsUnclear {};
 
-std::size_t chunkCount(const OpenFile& file, const ObjReading& how) {
-  return std::size_t(file.regularSize() / off_t(how.chunkBytes)) + 1;
-}
-
 /// Reads the chunks of a file by turns of several threads. Each thread fills its own in one place,
 /// apart from the others, as two that write side by side slow each other down (1.8 times as long),
 /// and then copies it, as vectors that grow time and again cost more. The file is neither mapped
@@ -29,7 +26,7 @@ std::size_t chunkCount(const OpenFile& file, const ObjReading& how) {
 /// cache. Measured on 38 MB, two cores: 4 ms; into fresh memory 13 to 30 ms, mapped 2 to 7 ms.
 /// Throws IsUnclear.
 std::vector<ObjChunk> readChunks(const OpenFile& file, const ObjReading& how) {
-  std::vector<ObjChunk> chunks(chunkCount(file, how));
+  std::vector<ObjChunk> chunks(std::size_t(file.regularSize() / off_t(how.chunkBytes)) + 1);
   std::atomic<std::size_t> next{0};
   const ObjReport fail = [&](const char*, const std::string&) {
     next = chunks.size();  // so that the other threads end too
@@ -53,17 +50,16 @@ std::vector<ObjChunk> readChunks(const OpenFile& file, const ObjReading& how) {
 }
 
 /// Checks what the chunks took for granted, and moves their backward indices to the vertices of
-/// the whole mesh. False where a guess was wrong.
-bool resolveIndices(std::vector<ObjChunk>& chunks, std::size_t vertexCount) {
+/// the whole mesh. Throws IsUnclear where a guess was wrong.
+void resolveIndices(std::vector<ObjChunk>& chunks, std::size_t vertexCount) {
   std::size_t before = 0;
   for (ObjChunk& chunk : chunks) {
-    if (chunk.highest > vertexCount || chunk.reachBack > before) return false;
+    if (chunk.highest > vertexCount || chunk.reachBack > before) throw IsUnclear();
     for (const std::size_t corner : chunk.relativeCorners) {
       chunk.faces[corner / 3][corner % 3] += std::uint32_t(before);
     }
     before += chunk.vertices.size();
   }
-  return true;
 }
 
 /// All elements of one kind, in one piece; the chunks' own are freed on the way.
@@ -110,12 +106,11 @@ OutlineShape cutPolygon(const std::vector<Vec3f>& vertices, const ObjPolygon& po
 }
 
 /// Cuts all polygons of chunks, whose triangles stand in `faces`, one chunk's behind the other's.
-/// The second and third list may be empty.
-/// Where polygons of many corners would take too long together, the later ones stay fans. Returns
-/// for each chunk those of its polygons that stay fans though they are not convex.
-std::vector<std::vector<ObjPolygon>> cutPolygons(const std::vector<Vec3f>& vertices,
-                                                 const std::vector<ObjChunk>& chunks, int threads,
-                                                 const FaceLists& faces) {
+/// The second and third list may be empty. Where polygons of many corners would take too long
+/// together, the later ones stay fans. Each chunk keeps those of its polygons that stay fans though
+/// they are not convex.
+void cutPolygons(const std::vector<Vec3f>& vertices, std::vector<ObjChunk>& chunks, int threads,
+                 const FaceLists& faces) {
   constexpr double kMostSteps = 0x1p27;  // as cutOutline takes for one of 11,500 corners
   struct Start {
     std::size_t face;
@@ -131,49 +126,33 @@ std::vector<std::vector<ObjPolygon>> cutPolygons(const std::vector<Vec3f>& verti
     next.face += chunk.faceCount;
     for (const ObjPolygon& polygon : chunk.polygons) next.steps += stepsOf(polygon);
   }
-  std::vector<std::vector<ObjPolygon>> fans(chunks.size());
   shareOnThreads(threads, 0, chunks.size(), [&](std::size_t number) {
     Start at = starts[number];
+    std::vector<ObjPolygon> fans;
     for (const ObjPolygon& polygon : chunks[number].polygons) {
       at.steps += stepsOf(polygon);
       const bool isTooLong = polygon.triangles > 64 && at.steps > kMostSteps;
       if (isTooLong ||
           cutPolygon(vertices, polygon, at.face + polygon.first, faces) == OutlineShape::crossing) {
-        fans[number].push_back(polygon);
+        fans.push_back(polygon);
       }
     }
+    chunks[number].polygons = std::move(fans);
   });
-  return fans;
 }
 
-/// Where the mesh is far from 0, reads the vertices of its file again in double, and sets `origin`.
-/// False where that cannot be done.
-bool placeVertices(const OpenFile& file, const ObjReading& how,
-                   const std::vector<MeshGeometry::Face>& faces, std::vector<Vec3f>& vertices,
-                   Vec3d& origin) {
-  if (!isFarMesh(vertices, faces)) return true;
-  std::vector<Vec3d> places;
-  std::vector<char> buffer;
-  for (std::size_t number = 0; number < chunkCount(file, how); ++number) {
-    const auto statements = readStatements(file, number, how.chunkBytes, buffer);
-    if (!statements) return false;
-    readObjPlaces(*statements, places);
-  }
-  if (places.size() != vertices.size()) return false;  // somebody is writing the file
-  origin = measureFromMiddle(places, faces, vertices);
-  return true;
-}
-
-bool join(std::vector<ObjChunk>& chunks, const OpenFile& file, const ObjReading& how,
-          MeshGeometry& mesh) {
+/// Puts what the chunks hold in a row, but for their shading: that is of a single one. Where the
+/// mesh is far from 0, `readPlaces` appends the places of its vertices in double. Throws IsUnclear
+/// where a guess was wrong.
+MeshGeometry join(std::vector<ObjChunk>& chunks, int threads,
+                  const std::function<void(std::vector<Vec3d>& places)>& readPlaces) {
   std::size_t vertexCount = 0, faceCount = 0;
   for (ObjChunk& chunk : chunks) {
-    if (!chunk.slivers.empty()) return false;
     vertexCount += chunk.vertices.size();
     faceCount += chunk.faceCount = chunk.faces.size();
   }
-  if (std::max(vertexCount, faceCount) > kMostObjElements) return false;
-  if (!resolveIndices(chunks, vertexCount)) return false;
+  if (std::max(vertexCount, faceCount) > kMostObjElements) throw IsUnclear();
+  resolveIndices(chunks, vertexCount);
   std::vector<Vec3f> vertices;
   std::vector<MeshGeometry::Face> faces;
   shareOnThreads(chunks.size() > 1 ? 2 : 1, 0, 2, [&](std::size_t kind) {
@@ -181,14 +160,15 @@ bool join(std::vector<ObjChunk>& chunks, const OpenFile& file, const ObjReading&
     if (kind == 1) faces = inOnePiece(chunks, &ObjChunk::faces, faceCount);
   });
   Vec3d origin = MeshGeometry::kZero;
-  if (!placeVertices(file, how, faces, vertices, origin)) return false;
-  MeshShading none;
-  const FaceLists all = {&faces, &none.coordinateFaces, &none.normalFaces};
-  for (const auto& fans : cutPolygons(vertices, chunks, how.threads, all)) {
-    if (!fans.empty()) return false;
+  if (isFarMesh(vertices, faces)) {
+    std::vector<Vec3d> places;
+    readPlaces(places);
+    if (places.size() != vertices.size()) throw IsUnclear();  // somebody is writing the file
+    origin = measureFromMiddle(places, faces, vertices);
   }
-  mesh = MeshGeometry(std::move(vertices), std::move(faces), origin);
-  return true;
+  MeshShading& shading = chunks[0].shading;
+  cutPolygons(vertices, chunks, threads, {&faces, &shading.coordinateFaces, &shading.normalFaces});
+  return MeshGeometry(std::move(vertices), std::move(faces), origin);
 }
 
 /// Where the first statement begins at `from` or behind it: after the first line end from just
@@ -213,7 +193,22 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
   if (!file.isOpen() || file.regularSize() < 0) return false;
   try {
     std::vector<ObjChunk> chunks = readChunks(file, how);
-    return join(chunks, file, how, mesh);
+    const auto isAnyNot = [&](const auto& list) {
+      return std::any_of(chunks.begin(), chunks.end(),
+                         [&](const ObjChunk& chunk) { return !(chunk.*list).empty(); });
+    };
+    if (isAnyNot(&ObjChunk::slivers)) return false;
+    MeshGeometry joined = join(chunks, how.threads, [&](std::vector<Vec3d>& places) {
+      std::vector<char> buffer;
+      for (std::size_t number = 0; number < chunks.size(); ++number) {
+        const auto statements = readStatements(file, number, how.chunkBytes, buffer);
+        if (!statements) throw IsUnclear();
+        readObjPlaces(*statements, places);
+      }
+    });
+    if (isAnyNot(&ObjChunk::polygons)) return false;
+    mesh = std::move(joined);
+    return true;
   } catch (const IsUnclear&) {
     return false;
   }
@@ -238,23 +233,14 @@ MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
   if (!all.slivers.empty()) {
     warn(all.slivers.size(), "of less than three corners, left out", all.slivers[0]);
   }
-  Vec3d origin = MeshGeometry::kZero;
-  if (isFarMesh(all.vertices, all.faces)) {
-    std::vector<Vec3d> places;
-    readObjPlaces(statements, places);
-    origin = measureFromMiddle(places, all.faces, all.vertices);
+  MeshGeometry mesh =
+      join(chunks, 1, [&](std::vector<Vec3d>& places) { readObjPlaces(statements, places); });
+  if (!all.polygons.empty()) {
+    warn(all.polygons.size(),
+         "that cannot be cut into triangles rightly, as the outline crosses itself",
+         all.polygons[0].at);
   }
-  all.faceCount = all.faces.size();
   MeshShading& shading = all.shading;
-  const FaceLists faces = {&all.faces, &shading.coordinateFaces, &shading.normalFaces};
-  const std::vector<ObjPolygon> fans = cutPolygons(all.vertices, chunks, 1, faces)[0];
-  if (!fans.empty()) {
-    warn(fans.size(), "that cannot be cut into triangles rightly, as the outline crosses itself",
-         fans[0].at);
-  }
-  all.vertices.shrink_to_fit();
-  all.faces.shrink_to_fit();
-  MeshGeometry mesh(std::move(all.vertices), std::move(all.faces), origin);
   if (shading.coordinates.empty()) shading.coordinateFaces = {};
   if (shading.normals.empty()) shading.normalFaces = {};
   mesh.setShading(std::move(shading));

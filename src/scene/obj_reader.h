@@ -121,10 +121,6 @@ bool isFarMesh(const std::vector<Vec3f>& vertices, const std::vector<MeshGeometr
 Vec3d measureFromMiddle(const std::vector<Vec3d>& places,
                         const std::vector<MeshGeometry::Face>& faces, std::vector<Vec3f>& vertices);
 
-/// True when the line that ends at `newline` goes on behind it: it ends in a backslash. It begins
-/// at or before `start`, and nothing before that is looked at, nor before the last two bytes.
-bool isContinuedLine(const char* start, const char* newline);
-
 /// The statements that begin in chunk `number` (0, 1, ...) of an open file, each chunk being
 /// `chunkBytes` >= 1 long; the last of them may end behind it. A view of `buffer`, empty where none
 /// begins there; std::nullopt where the file cannot be read. A byte-order mark at the file's start

@@ -1,5 +1,5 @@
 // What OBJ files tell of corners: vt, vn, the references of faces to them, and smooth normals.
-#include "scene/obj_details.h"
+#include "scene/obj_reader.h"
 
 #include "geometry/triangle_mesh.h"
 #include "random.h"
