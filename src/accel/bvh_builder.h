@@ -71,11 +71,10 @@ constexpr int mostInLeaf(LeafKind kind) { return kind == LeafKind::objects ? 1 :
 /// Builds nodes and leaves of `bvh`, whose anchor and scale are set and whose box this sets, over
 /// `items` (where they are too many for 31 bits to tell leaves apart: std::length_error), whose
 /// memory is given back as the leaves are written. The tree is a function of the items alone, but
-/// where its leaves are is not. Binary splits by the binned surface area heuristic, collapsed into
-/// nodes of eight at the least expected cost.
-/// Sources: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007; Ylitie,
-/// Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
-/// 2017.
+/// where its nodes and leaves are is not. Binary splits by the binned surface area heuristic,
+/// collapsed into nodes of eight at the least expected cost. Sources: Wald, "On fast Construction
+/// of SAH-based Bounding Volume Hierarchies", 2007; Ylitie, Karras and Laine, "Efficient Incoherent
+/// Ray Traversal on GPUs Through Compressed Wide BVHs", 2017.
 void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, ThreadPool& pool);
 
 }  // namespace accel

@@ -1,27 +1,48 @@
-// ThreadPool: the other threads sleep between the steps; whoever wakes late finds the step gone and
-// sleeps on.
+// ThreadPool: who forks leaves the second half where others find it.
 //
-// A step is a range of indices. The caller publishes it, wakes all, and takes indices itself from
-// one atomic counter like everybody else; when there are none left it waits only for those threads
-// that have begun one. The first exception of a step ends it and is thrown again by the caller.
+// A thread with nothing to do takes the task that waits longest, mostly the largest: so a build
+// soon falls into large parts of which each thread does one alone. Who is done with its first half
+// does the second one itself if nobody has begun it; else it does others' tasks until that is done.
+// No thread that the system is slow to run is waited for, unless it has begun something.
 #include "accel/thread_pool.h"
 
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "system/worker_threads.h"
+
 namespace accel {
+
+struct ThreadPool::Task {
+  const std::function<void()>& work;
+  bool isDone = false;
+  std::exception_ptr failure = nullptr;
+
+  void run() {
+    try {
+      work();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  }
+};
 
 /// Sends the other threads home when the body has returned or thrown.
 struct ThreadPool::Ending {
   ThreadPool& pool;
   ~Ending() {
     const std::lock_guard<std::mutex> lock(pool.mutex_);
-    pool.ended_ = true;
+    pool.hasEnded_ = true;
     pool.changed_.notify_all();
   }
 };
 
 void ThreadPool::run(int threads, std::size_t items, const std::function<void(ThreadPool&)>& body) {
   constexpr std::size_t kStackBytes = 1 << 20;
-  ThreadPool pool(items < kLeastShared ? 1 : threads);
-  if (pool.threads_ == 1) return body(pool);
+  ThreadPool pool;
+  if (threads == 1 || items < kLeastShared) return body(pool);
+  pool.threads_ = threads;
   runOnThreads(threads, kStackBytes, [&](int worker) {
     if (worker != 0) return pool.serve();
     const Ending ending{pool};
@@ -29,50 +50,62 @@ void ThreadPool::run(int threads, std::size_t items, const std::function<void(Th
   });
 }
 
-void ThreadPool::forEachIndex(std::size_t count, const std::function<void(std::size_t)>& work) {
-  if (threads_ == 1 || count <= 1) {
-    for (std::size_t index = 0; index < count; ++index) work(index);
-    return;
+void ThreadPool::both(const std::function<void()>& first, const std::function<void()>& second) {
+  if (threads_ == 1) {
+    first();
+    return second();
   }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    work_ = &work;
-    count_ = count;
-    next_ = 0;
-    ++step_;
-  }
-  changed_.notify_all();
-  takeIndices(work, count);
+  Task mine{first}, other{second};
   std::unique_lock<std::mutex> lock(mutex_);
-  work_ = nullptr;
-  changed_.wait(lock, [&] { return busy_ == 0; });
-  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  waiting_.push_back(&other);
+  lock.unlock();
+  changed_.notify_one();
+  mine.run();
+  lock.lock();
+  while (!other.isDone) {
+    const auto place = std::find(waiting_.begin(), waiting_.end(), &other);
+    if (waiting_.empty()) {
+      changed_.wait(lock);
+    } else {
+      runTask(place != waiting_.end() ? place : waiting_.begin(), lock);
+    }
+  }
+  for (const std::exception_ptr& failure : {mine.failure, other.failure}) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+/// Calls `work` so many times, side by side as far as threads are free.
+void ThreadPool::callTimes(std::size_t times, const std::function<void()>& work) {
+  if (times == 1) return work();
+  both([&] { callTimes(times / 2, work); }, [&] { callTimes(times - times / 2, work); });
+}
+
+void ThreadPool::forEachIndex(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  callTimes(std::clamp<std::size_t>(count, 1, std::size_t(threads_)), [&] {
+    for (std::size_t index; (index = next++) < count;) work(index);
+  });
 }
 
 void ThreadPool::serve() {
   std::unique_lock<std::mutex> lock(mutex_);
-  for (std::size_t done = 0;;) {
-    changed_.wait(lock, [&] { return ended_ || (work_ && step_ != done); });
-    if (ended_) return;
-    done = step_;
-    ++busy_;
-    const auto& work = *work_;
-    const std::size_t count = count_;
-    lock.unlock();
-    takeIndices(work, count);
-    lock.lock();
-    if (--busy_ == 0) changed_.notify_all();
+  for (;;) {
+    changed_.wait(lock, [&] { return hasEnded_ || !waiting_.empty(); });
+    if (hasEnded_) return;
+    runTask(waiting_.begin(), lock);
   }
 }
 
-void ThreadPool::takeIndices(const std::function<void(std::size_t)>& work, std::size_t count) {
-  try {
-    for (std::size_t index; (index = next_++) < count;) work(index);
-  } catch (...) {
-    next_ = count;  // no more of this step
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!failure_) failure_ = std::current_exception();
-  }
+/// Does a waiting task; the lock is held before and afterwards.
+void ThreadPool::runTask(std::deque<Task*>::iterator place, std::unique_lock<std::mutex>& lock) {
+  Task& task = **place;
+  waiting_.erase(place);
+  lock.unlock();
+  task.run();
+  lock.lock();
+  task.isDone = true;
+  changed_.notify_all();
 }
 
 }  // namespace accel
