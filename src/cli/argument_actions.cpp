@@ -203,8 +203,8 @@ void setCheckpoint(Words words, Draft& draft) {
 void setGrid(Words words, Draft& draft) {
   Acceleration& acceleration = draft.render.picture.acceleration;
   int cells = 1;  // stays below 2^30
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    acceleration.gridSize[axis] = words.integer(axis, 1, kMaxGridSide);
+  for (int axis = 0; axis < 3; ++axis) {
+    acceleration.gridSize[axis] = words.integer(std::size_t(axis), 1, kMaxGridSide);
     cells *= acceleration.gridSize[axis];
   }
   if (cells > kMaxGridCells) {

@@ -42,7 +42,7 @@ class Grid : public Object3D {
   std::string describe() const;
 
  private:
-  class Cells;
+  struct Cells;
 
   TestTally* tally_;                         // not owned
   std::optional<CountingTree> countedRoot_;  // where there is a tally

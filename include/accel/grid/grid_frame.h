@@ -1,16 +1,16 @@
 // GridFrame: a box divided into equal cells; CellWalk: the cells that a ray passes, in order.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "geometry/ray.h"
 #include "math/bounding_box.h"
+#include "math/vec3.h"
 
 /// How many cells a grid has along x, y and z, each at least 1; or which cell is meant, counting
 /// from 0.
-using GridSize = std::array<int, 3>;
+using GridSize = Vec3<int>;
 
 /// Limits of a grid: cells along one axis, and in all.
 inline constexpr int kMaxGridSide = 1024;

@@ -115,7 +115,7 @@ void Grid::Cells::chooseFrame(GridSize size, double mostEntries) {
     double overlaps = 0;
     for (const Item& item : items) overlaps += frame.overlappedBy(boxOf(item)).count();
     if (overlaps <= mostEntries || frame.cellCount() == 1) return;
-    for (int& side : size) side = (side + 1) / 2;
+    size = {(size.x() + 1) / 2, (size.y() + 1) / 2, (size.z() + 1) / 2};
   }
 }
 
