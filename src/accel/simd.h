@@ -4,187 +4,134 @@
 // different instructions in different translation units, and must never be linked together.
 // Comparisons give a bit for each lane, lane 0 lowest. min and max return the second argument where
 // one is a NaN. multiplyAdd may or may not round in between: only bounds are computed with it.
+// The compiler's own vectors, one of eight or two of four; intrinsics where these have no good
+// words.
 #if defined(__AVX2__)
-
-struct Float8 {
-  __m256 v;
-
-  static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
-  static Float8 all(float x) { return {_mm256_set1_ps(x)}; }
-  void store(float* p) const { _mm256_storeu_ps(p, v); }
-};
-
-inline Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.v, b.v)}; }
-inline Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
-inline Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
-inline Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.v, b.v)}; }
-inline Float8 squareRoot(Float8 a) { return {_mm256_sqrt_ps(a.v)}; }
-inline Float8 smaller(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
-inline Float8 larger(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-inline Float8 absolute(Float8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
-/// a, negated in the lanes where b is negative.
-inline Float8 withSignOf(Float8 a, Float8 b) {
-  return {_mm256_xor_ps(a.v, _mm256_and_ps(_mm256_set1_ps(-0.0f), b.v))};
-}
-#if defined(__FMA__)
-inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
-inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) {
-  return {_mm256_fmsub_ps(a.v, b.v, c.v)};
-}
+constexpr int kParts = 1;
 #else
-inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
-inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
+constexpr int kParts = 2;
 #endif
-#if defined(__AVX512VL__)
-/// a in the lanes of `bits`, b in the others.
-inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
-  return {_mm256_mask_blend_ps(__mmask8(bits), b.v, a.v)};
-}
-inline unsigned lessOrEqual(Float8 a, Float8 b) {
-  return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
-}
-inline unsigned less(Float8 a, Float8 b) {
-  return unsigned(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
-}
-inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
-  return {_mm256_mask_blend_ps(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), y.v, x.v)};
-}
-#else
-inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
-  const __m256i lanes = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-  const __m256i taken =
-      _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(int(bits)), lanes), lanes);
-  return {_mm256_blendv_ps(b.v, a.v, _mm256_castsi256_ps(taken))};
-}
-inline unsigned lessOrEqual(Float8 a, Float8 b) {
-  return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
-}
-inline unsigned less(Float8 a, Float8 b) {
-  return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
-}
-inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
-  return {_mm256_blendv_ps(y.v, x.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};
-}
-#endif
-
-#elif defined(__SSE2__)
+typedef float Part __attribute__((vector_size(32 / kParts)));
+typedef int IntPart __attribute__((vector_size(32 / kParts)));
 
 struct Float8 {
-  __m128 low, high;
-
-  static Float8 load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
-  static Float8 all(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
-  void store(float* p) const {
-    _mm_storeu_ps(p, low);
-    _mm_storeu_ps(p + 4, high);
-  }
-};
-
-inline Float8 operator+(Float8 a, Float8 b) {
-  return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
-}
-inline Float8 operator-(Float8 a, Float8 b) {
-  return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)};
-}
-inline Float8 operator*(Float8 a, Float8 b) {
-  return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
-}
-inline Float8 operator/(Float8 a, Float8 b) {
-  return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
-}
-inline Float8 squareRoot(Float8 a) { return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
-inline Float8 smaller(Float8 a, Float8 b) {
-  return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
-}
-inline Float8 larger(Float8 a, Float8 b) {
-  return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
-}
-inline Float8 absolute(Float8 a) {
-  const __m128 sign = _mm_set1_ps(-0.0f);
-  return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
-}
-inline Float8 withSignOf(Float8 a, Float8 b) {
-  const __m128 sign = _mm_set1_ps(-0.0f);
-  return {_mm_xor_ps(a.low, _mm_and_ps(sign, b.low)), _mm_xor_ps(a.high, _mm_and_ps(sign, b.high))};
-}
-inline __m128 selected4(unsigned bits, __m128 a, __m128 b) {
-  const __m128i lanes = _mm_setr_epi32(1, 2, 4, 8);
-  const __m128i taken = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(int(bits)), lanes), lanes);
-  const __m128 mask = _mm_castsi128_ps(taken);
-  return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
-}
-inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
-  return {selected4(bits, a.low, b.low), selected4(bits >> 4, a.high, b.high)};
-}
-inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
-inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
-inline unsigned lessOrEqual(Float8 a, Float8 b) {
-  return unsigned(_mm_movemask_ps(_mm_cmple_ps(a.low, b.low))) |
-         unsigned(_mm_movemask_ps(_mm_cmple_ps(a.high, b.high))) << 4;
-}
-inline unsigned less(Float8 a, Float8 b) {
-  return unsigned(_mm_movemask_ps(_mm_cmplt_ps(a.low, b.low))) |
-         unsigned(_mm_movemask_ps(_mm_cmplt_ps(a.high, b.high))) << 4;
-}
-inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
-  const __m128 low = _mm_cmple_ps(a.low, b.low), high = _mm_cmple_ps(a.high, b.high);
-  return {_mm_or_ps(_mm_and_ps(low, x.low), _mm_andnot_ps(low, y.low)),
-          _mm_or_ps(_mm_and_ps(high, x.high), _mm_andnot_ps(high, y.high))};
-}
-
-#else  // any other processor: the compiler's own vectors
-
-typedef float FloatVector __attribute__((vector_size(32), aligned(4)));
-typedef int IntVector __attribute__((vector_size(32), aligned(4)));
-
-struct Float8 {
-  FloatVector v;
+  Part v[kParts];
 
   static Float8 load(const float* p) {
     Float8 result;
-    __builtin_memcpy(&result.v, p, sizeof result.v);
+    __builtin_memcpy(result.v, p, sizeof result.v);
     return result;
   }
-  static Float8 all(float x) { return {FloatVector{x, x, x, x, x, x, x, x}}; }
-  void store(float* p) const { __builtin_memcpy(p, &v, sizeof v); }
+  static Float8 all(float x) {
+    Float8 result;
+    for (Part& part : result.v) part = x - Part{};
+    return result;
+  }
+  void store(float* p) const { __builtin_memcpy(p, v, sizeof v); }
 };
 
-inline unsigned bitsOf(IntVector lanes) {
-  unsigned bits = 0;
-  for (int lane = 0; lane < 8; ++lane) bits |= unsigned(lanes[lane] & 1) << lane;
-  return bits;
-}
-inline Float8 operator+(Float8 a, Float8 b) { return {a.v + b.v}; }
-inline Float8 operator-(Float8 a, Float8 b) { return {a.v - b.v}; }
-inline Float8 operator*(Float8 a, Float8 b) { return {a.v * b.v}; }
-inline Float8 operator/(Float8 a, Float8 b) { return {a.v / b.v}; }
-inline Float8 squareRoot(Float8 a) {
-  for (int lane = 0; lane < 8; ++lane) a.v[lane] = __builtin_sqrtf(a.v[lane]);
-  return a;
-}
-inline Float8 smaller(Float8 a, Float8 b) { return {a.v < b.v ? a.v : b.v}; }
-inline Float8 larger(Float8 a, Float8 b) { return {a.v > b.v ? a.v : b.v}; }
-inline Float8 absolute(Float8 a) { return {FloatVector(IntVector(a.v) & 0x7fffffff)}; }
-inline Float8 withSignOf(Float8 a, Float8 b) {
-  const IntVector sign = IntVector(b.v) & ~0x7fffffff;
-  return {FloatVector(IntVector(a.v) ^ sign)};
-}
-inline Float8 selected(unsigned bits, Float8 a, Float8 b) {
-  const IntVector lanes = {1, 2, 4, 8, 16, 32, 64, 128};
-  const IntVector taken = (lanes & int(bits)) != 0;
-  return {taken ? a.v : b.v};
-}
-inline Float8 multiplyAdd(Float8 a, Float8 b, Float8 c) { return a * b + c; }
-inline Float8 multiplySubtract(Float8 a, Float8 b, Float8 c) { return a * b - c; }
-inline unsigned lessOrEqual(Float8 a, Float8 b) { return bitsOf(a.v <= b.v); }
-inline unsigned less(Float8 a, Float8 b) { return bitsOf(a.v < b.v); }
-inline Float8 whereLessOrEqual(Float8 a, Float8 b, Float8 x, Float8 y) {
-  return {a.v <= b.v ? x.v : y.v};
-}
+/// Of each lane all bits, or none.
+struct Truths {
+  IntPart v[kParts];
 
+  unsigned bits() const {
+#if defined(__AVX2__)
+    return unsigned(_mm256_movemask_ps(__m256(v[0])));
+#elif defined(__SSE2__)
+    return unsigned(_mm_movemask_ps(__m128(v[0])) | _mm_movemask_ps(__m128(v[1])) << 4);
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < 8; ++lane) bits |= unsigned(v[lane / 4][lane % 4] & 1) << lane;
+    return bits;
 #endif
+  }
+};
 
-inline Float8 operator-(Float8 a) { return Float8::all(0) - a; }
+/// f(a, b), part by part.
+template <class Result = Float8, class F>
+inline Result byParts(const Float8& a, const Float8& b, const F& f) {
+  Result result;
+  for (int i = 0; i < kParts; ++i) result.v[i] = f(a.v[i], b.v[i]);
+  return result;
+}
+inline Float8 operator+(const Float8& a, const Float8& b) {
+  return byParts(a, b, [](Part x, Part y) { return x + y; });
+}
+inline Float8 operator-(const Float8& a, const Float8& b) {
+  return byParts(a, b, [](Part x, Part y) { return x - y; });
+}
+inline Float8 operator-(const Float8& a) { return Float8::all(0) - a; }
+inline Float8 operator*(const Float8& a, const Float8& b) {
+  return byParts(a, b, [](Part x, Part y) { return x * y; });
+}
+inline Float8 operator/(const Float8& a, const Float8& b) {
+  return byParts(a, b, [](Part x, Part y) { return x / y; });
+}
+inline Float8 smaller(const Float8& a, const Float8& b) {
+  return byParts(a, b, [](Part x, Part y) { return x < y ? x : y; });
+}
+inline Float8 larger(const Float8& a, const Float8& b) {
+  return byParts(a, b, [](Part x, Part y) { return x > y ? x : y; });
+}
+/// a, negated in the lanes where b is negative.
+inline Float8 withSignOf(const Float8& a, const Float8& b) {
+  return byParts(a, b,
+                 [](Part x, Part y) { return Part(IntPart(x) ^ (IntPart(y) & ~0x7fffffff)); });
+}
+inline Float8 absolute(const Float8& a) { return withSignOf(a, a); }
+inline Float8 squareRoot(const Float8& a) {
+#if defined(__AVX2__)
+  return {{_mm256_sqrt_ps(a.v[0])}};
+#else
+  Float8 root;
+  for (int i = 0; i < 8; ++i) root.v[i / 4][i % 4] = __builtin_sqrtf(a.v[i / 4][i % 4]);
+  return root;
+#endif
+}
+#if defined(__FMA__)
+inline Float8 multiplyAdd(const Float8& a, const Float8& b, const Float8& c) {
+  return {{_mm256_fmadd_ps(a.v[0], b.v[0], c.v[0])}};
+}
+inline Float8 multiplySubtract(const Float8& a, const Float8& b, const Float8& c) {
+  return {{_mm256_fmsub_ps(a.v[0], b.v[0], c.v[0])}};
+}
+#else
+inline Float8 multiplyAdd(const Float8& a, const Float8& b, const Float8& c) { return a * b + c; }
+inline Float8 multiplySubtract(const Float8& a, const Float8& b, const Float8& c) {
+  return a * b - c;
+}
+#endif
+inline Float8 whereLessOrEqual(const Float8& a, const Float8& b, const Float8& x, const Float8& y) {
+  Float8 result;
+  for (int i = 0; i < kParts; ++i) result.v[i] = a.v[i] <= b.v[i] ? x.v[i] : y.v[i];
+  return result;
+}
+#if defined(__AVX512VL__)
+inline unsigned lessOrEqual(const Float8& a, const Float8& b) {
+  return unsigned(_mm256_cmp_ps_mask(a.v[0], b.v[0], _CMP_LE_OQ));
+}
+inline unsigned less(const Float8& a, const Float8& b) {
+  return unsigned(_mm256_cmp_ps_mask(a.v[0], b.v[0], _CMP_LT_OQ));
+}
+/// a in the lanes of `bits`, b in the others.
+inline Float8 selected(unsigned bits, const Float8& a, const Float8& b) {
+  return {{_mm256_mask_blend_ps(__mmask8(bits), b.v[0], a.v[0])}};
+}
+#else
+inline unsigned lessOrEqual(const Float8& a, const Float8& b) {
+  return byParts<Truths>(a, b, [](Part x, Part y) { return x <= y; }).bits();
+}
+inline unsigned less(const Float8& a, const Float8& b) {
+  return byParts<Truths>(a, b, [](Part x, Part y) { return x < y; }).bits();
+}
+inline Float8 selected(unsigned bits, const Float8& a, const Float8& b) {
+  Truths lane = {};
+  for (int i = 0; i < 8; ++i) lane.v[i / (8 / kParts)][i % (8 / kParts)] = 1 << i;
+  Float8 result;
+  for (int i = 0; i < kParts; ++i) result.v[i] = (lane.v[i] & int(bits)) != 0 ? a.v[i] : b.v[i];
+  return result;
+}
+#endif
 
 inline float floatOfBits(std::uint32_t bits) {
   float x;
