@@ -89,7 +89,7 @@ bool isAllowed(const fs::path& path, int mode) {
 
 /// Where an output goes. Throws OutputError where something keeps the process from writing there.
 Place findPlace(const std::string& given) {
-  const Place place = followLinks(given);
+  Place place = followLinks(given);
   const auto demand = [&given](bool claim, int otherwise = 0) {  // 0: errno says why
     if (!claim) throw OutputError(given, std::strerror(otherwise != 0 ? otherwise : errno));
   };
