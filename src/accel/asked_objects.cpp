@@ -68,9 +68,13 @@ void ObjectTree::ask(Question& question, const RowList& rows) const {
     question.askShapes(shapes_.data(), int(shapes_.size()), open);
     open = question.openOf(open);
   }
-  for (const std::uint32_t id : direct_) {
-    if (members_[id].kind == TreeMember::Kind::plain) question.count({0, std::size_t(open.count)});
-    question.askMember(members_[id], open);
+  for (const DirectMember& each : direct_) {
+    const TreeMember& member = members_[each.id];
+    // To move and to prepare the rays that miss took 1.27 of the instructions of mirror balls on a
+    // floor of two meshes.
+    const RowList near = question.rowsAt(each.box, open);
+    if (member.kind == TreeMember::Kind::plain) question.count({0, std::size_t(near.count)});
+    question.askMember(member, near);
     open = question.openOf(open);
   }
   question.askTree(*this, open);

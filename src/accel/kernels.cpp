@@ -42,6 +42,7 @@ Kernels kernels() {
           nearestOfShapes,
           occludedByShapes,
           rowsAtShape,
+          rowsAtBox,
           moveRays,
           moveHits};
 }

@@ -142,6 +142,23 @@ void setTransformError(const TransformError& error, WideBvh& bvh) {
   bvh.fixedError = limitedError((error.perSize * anchor + error.fixed) * bvh.scale);
 }
 
+/// Hits are off by at most 2^-47 of what `error` says of the numbers that they are computed of. An
+/// empty box becomes an infinite one.
+BoxNumbers numbersOf(const BoundingBox& box, const TransformError& error) {
+  constexpr double kSlack = 0x1p-44, kInfinity = std::numeric_limits<double>::infinity();
+  const Vec3d farthest(kInfinity, kInfinity, kInfinity);
+  if (box.isEmpty()) return numbersOf({-farthest, farthest}, {});
+  const double slack = (1 + error.perSize) * kSlack;
+  const double size = std::max(maxAbs(box.low()), maxAbs(box.high()));
+  const double margin = 0x1p-18 * box.longestSide() + slack * size + error.fixed * kSlack;
+  BoxNumbers numbers{{}, {}, slack};
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers.low[axis] = box.low()[axis] - margin;
+    numbers.high[axis] = box.high()[axis] + margin;
+  }
+  return numbers;
+}
+
 /// The box in the space of the tree, rounded outwards.
 BuildItem itemOf(const BoundingBox& box, const WideBvh& bvh, std::uint32_t id, LeafKind kind) {
   BuildItem item{};
@@ -234,11 +251,11 @@ double farOut(const Vec3d& middle, const std::vector<BoxedMember>& boxed) {
 }  // namespace
 
 /// Asks the member out of the tree.
-void ObjectTree::askAlone(std::uint32_t id) {
-  if (isShape(members_[id])) {
-    shapes_.push_back(shapeOf(members_[id]));
+void ObjectTree::askAlone(const BoxedMember& each) {
+  if (isShape(members_[each.id])) {
+    shapes_.push_back(shapeOf(members_[each.id]));
   } else {
-    direct_.push_back(id);
+    direct_.push_back({numbersOf(each.box, error_), each.id});
   }
 }
 
@@ -247,7 +264,7 @@ template <class IsOut>
 void ObjectTree::leaveOut(std::vector<BoxedMember>& boxed, const IsOut& isOut) {
   const auto out = std::stable_partition(boxed.begin(), boxed.end(),
                                          [&](const BoxedMember& each) { return !isOut(each); });
-  for (auto each = out; each != boxed.end(); ++each) askAlone(each->id);
+  for (auto each = out; each != boxed.end(); ++each) askAlone(*each);
   boxed.erase(out, boxed.end());
 }
 
@@ -262,7 +279,7 @@ void ObjectTree::finish(int threads) {
     // A Transform of this space then has no box either.
     if (!accel::isBounded(member) || !isInBox) bounded_ = false;
     if (box.isEmpty() || !isInBox) {
-      askAlone(id);
+      askAlone({BoundingBox(), id});
       continue;
     }
     box_.extend(box);

@@ -2,7 +2,8 @@
 // they stand, with a tree of boxes over them.
 //
 // What has no box (planes, objects of unknown classes) and what is too few for a tree is asked one
-// after the other, in scene order, each for all rays; planes and spheres among it all together.
+// after the other, each for all rays that may meet its box; planes and spheres among it all
+// together.
 // Then the rays walk the tree. A member that the kernels do not know is asked when the walk comes
 // to its box, for the rays that meet it. A hit lowers the ray's bound, so that farther boxes are
 // passed over.
@@ -70,7 +71,7 @@ struct TreeMember {
   AskedMesh askedMesh() const { return {mesh(), *meshTree, order}; }
 };
 
-/// A member that may stand in the tree.
+/// A member and its box, which is empty where it has none.
 struct BoxedMember {
   BoundingBox box;
   std::uint32_t id;
@@ -101,15 +102,20 @@ class ObjectTree : public AskedTree {
 
  private:
   const TreeMember& memberAt(const std::uint32_t* words, int lane) const;
-  void askAlone(std::uint32_t id);
+  /// A member that is asked alone, those rays that meet its box.
+  struct DirectMember {
+    BoxNumbers box;
+    std::uint32_t id;
+  };
+  void askAlone(const BoxedMember& each);
   template <class IsOut>
   void leaveOut(std::vector<BoxedMember>& boxed, const IsOut& isOut);
   void build(std::vector<BoxedMember> boxed, int threads);
 
   std::vector<TreeMember> members_;
-  std::vector<ShapeNumbers> shapes_;   // of members outside of the tree, in scene order
-  std::vector<std::uint32_t> direct_;  // the other members outside of it
-  std::deque<ShapeNumbers> inTree_;    // of Transforms in leaves of objects
+  std::vector<ShapeNumbers> shapes_;  // of members outside of the tree, in scene order
+  std::vector<DirectMember> direct_;  // the other members outside of it
+  std::deque<ShapeNumbers> inTree_;   // of Transforms in leaves of objects
   WideBvh bvh_;
   BoundingBox box_;
   TransformError error_;  // of all members

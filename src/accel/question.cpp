@@ -18,6 +18,11 @@ void Question::askTree(const AskedTree& tree, const RowList& rows) {
   count({stream.nodesVisited, stream.primitivesTested});
 }
 
+RowList Question::rowsAt(const BoxNumbers& box, const RowList& rows) const {
+  auto* met = arena_.take<std::uint16_t>(std::size_t(rows.count));
+  return {met, kernels_.rowsAtBox(box, rays_, rows, met)};
+}
+
 /// The depth of recursion is that of the Transforms in the scene.
 void Question::askMember(const TreeMember& member, const RowList& rows) {
   if (rows.count == 0) return;

@@ -59,6 +59,8 @@ class Question {
 
   /// Those of the rows that still want to know.
   virtual RowList openOf(const RowList& rows) const { return rows; }
+  /// Those of them whose rays may meet the box.
+  RowList rowsAt(const BoxNumbers& box, const RowList& rows) const;
 
   virtual void askObject(const Object3D& object, std::uint32_t order, const RowList& rows) = 0;
   /// The shapes are in the order of the scene.

@@ -204,6 +204,12 @@ struct ShapeNumbers {
   std::uint32_t order;  ///< place in the scene
 };
 
+/// A box around all that can be hit of an object, in numbers for doubles.
+struct BoxNumbers {
+  double low[3], high[3];
+  double slack;  ///< hits may seem outside by so much of the largest coordinate of a ray's origin
+};
+
 /// What is computed several rays or boxes at a time.
 struct Kernels {
   /// Fills in the rays of the list that meet the tree's box between tmin and tmax, and their count.
@@ -229,6 +235,10 @@ struct Kernels {
   /// or are inside of it all that way; returns their number.
   int (*rowsAtShape)(const ShapeNumbers& shape, const RayTable& rays, const RowList& list,
                      std::uint16_t* rows);
+  /// Stores those of the listed rows whose rays may meet the box between tmin and tmax; returns
+  /// their number.
+  int (*rowsAtBox)(const BoxNumbers& box, const RayTable& rays, const RowList& list,
+                   std::uint16_t* rows);
   /// Take the listed rays into a Transform, one row of `inside` each; and the hits `found` there,
   /// in rows inside[0], inside[1] ..., out to the listed rays.
   void (*moveRays)(const Matrix& inverse, const RayTable& rays, const RowList& list,

@@ -23,6 +23,18 @@ void fill(Owner& owner, Random& random, double squeeze, Group& group) {
   for (int i = 0; i < 8; ++i) group.addObject(squeezedBall(owner, random, squeeze));
 }
 
+/// Asks about rays from 1e3 to 1e16 away, most of which miss by little.
+void askFromFar(Random& random, Comparison& comparison) {
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3d away = random.unitVector();
+    const Vec3d from = away * random.logUniform(1e3, 1e16);
+    const Vec3d aim = random.inCube(-20, 20);
+    const Ray ray(from, normalize(aim - from));
+    comparison.ask(ray, 0, kInf);
+    comparison.askCrossings(ray);
+  }
+}
+
 }  // namespace
 
 TEST("squeezed and turned balls are found from far away where rounding says that they are hit") {
@@ -34,16 +46,21 @@ TEST("squeezed and turned balls are found from far away where rounding says that
   Random random(31);
   fill(owner, random, 1e-3, group);
   Comparison comparison(group, "squeezed");
-  for (int i = 0; i < 3000; ++i) {
-    const Vec3d away = random.unitVector();
-    const Vec3d from = away * random.logUniform(1e3, 1e16);
-    const Vec3d aim = random.inCube(-20, 20);
-    const Ray ray(from, normalize(aim - from));
-    comparison.ask(ray, 0, kInf);
-    comparison.askCrossings(ray);
-  }
+  askFromFar(random, comparison);
   CHECK_EQUAL(comparison.firstFailure(), "");
   CHECK(comparison.hits() > 100);
+}
+
+TEST("so are those that stand alone under a Transform, which only rays at its box are moved into") {
+  Owner owner;
+  Random random(31);
+  Group balls, group;
+  fill(owner, random, 1, balls);
+  group.addObject(&owner.make<Transform>(Matrix::scale({1, 1e-3, 1}), &balls));
+  Comparison comparison(group, "alone");
+  askFromFar(random, comparison);
+  CHECK_EQUAL(comparison.firstFailure(), "");
+  CHECK(comparison.hits() > 50);
 }
 
 TEST("the noise of a Transform grows with what it squeezes, and of nested ones with the product") {
