@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/object3d.h"
@@ -13,28 +12,14 @@
 
 class TileListener;
 
-/// A colour for each material of a scene.
-class MaterialColors {
- public:
-  /// The scene is not owned and must outlive this.
-  explicit MaterialColors(const SceneParser& scene);
+/// The colour of the material of that number: red, green, yellow, blue, magenta, cyan, white, then
+/// darker and mixed ones. The first 2^24 - 1 are all different, and none is black; then they begin
+/// again. Below 0, where no scene has read the material: grey, (128, 128, 128).
+Rgb8 materialColor(int number);
 
-  /// The colour of material number `index`, counted from 0: red, green, yellow, blue, magenta,
-  /// cyan, white, then darker and mixed ones. The first 2^24 - 1 are all different, and none is
-  /// black; then they begin again.
-  static Rgb8 colorOf(std::size_t index);
-
-  /// The colour of a material of the scene; grey, (128, 128, 128), where it is another's.
-  Rgb8 of(const Material* material) const;
-
-  /// What `picture` shows: a line for each material whose colour is in it, by number:
-  /// "material 2: 255 255 0, PhongMaterial, 1234 pixels".
-  std::string legend(const Image& picture) const;
-
- private:
-  const SceneParser& scene_;
-  std::unordered_map<const Material*, std::size_t> numbers_;  // only looked up
-};
+/// What `picture` shows: a line for each material of the scene whose colour is in it, by number:
+/// "material 2: 255 255 0, PhongMaterial, 1234 pixels".
+std::string materialLegend(const SceneParser& scene, const Image& picture);
 
 /// The rays of each pixel's own samples, shadow rays too, row by row from the lowest: the central
 /// ray and all that come of it, or those of all the samples in the pixel. Counts stop at 2^32 - 1.

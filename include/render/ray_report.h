@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 #include "math/vec3.h"
 #include "render/render_options.h"
@@ -27,7 +26,8 @@ std::string textOf(const Vec3<T>& v) {
 class SceneNames {
  public:
   /// `places` has been filled while the scene was read. Neither is owned.
-  SceneNames(const SceneParser& scene, const ObjectPlaces& places);
+  SceneNames(const SceneParser& scene, const ObjectPlaces& places)
+      : scene_(scene), places_(places) {}
 
   /// "Group 1 > Sphere 2, scene.txt:12"; with `face`, counted from 0, a mesh's triangle too, there
   /// counted from 1.
@@ -40,7 +40,6 @@ class SceneNames {
  private:
   const SceneParser& scene_;
   const ObjectPlaces& places_;
-  std::unordered_map<const Material*, int> materials_;  // only looked up
 };
 
 /// An observer that writes the tree of rays as text: a line for each fact, in plain ASCII, two

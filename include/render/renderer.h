@@ -60,8 +60,7 @@ struct RenderTargets {
   Image* normals = nullptr;
   Image* samples = nullptr;  ///< where the samples lie, and their colours
   int samplesZoom = 1;
-  Image* materials = nullptr;  ///< each surface in the colour that materialColors has for it
-  const MaterialColors* materialColors = nullptr;  ///< given where `materials` is
+  Image* materials = nullptr;  ///< each surface in the materialColor of its material
   /// Where the colours go besides before they become bytes, unclamped; each only where the target
   /// of the same name is given, and of its size.
   FloatImage* exactColor = nullptr;

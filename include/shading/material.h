@@ -36,6 +36,10 @@ class Material {
   int getPriority() const { return priority_; }
   void setPriority(int priority) { priority_ = priority; }
 
+  /// As SceneParser::getMaterial counts; -1 where no scene has read it. Set likewise.
+  int getNumber() const { return number_; }
+  void setNumber(int number) { number_ = number; }
+
   /// The light that the surface sends back along the ray from one light: `dirToLight` is the unit
   /// direction to it in world space, `lightColor` what arrives. The ray's direction is a unit
   /// vector, and hit.getNormal() is used as it stands. Ambient light, shadows and secondary rays
@@ -63,5 +67,5 @@ class Material {
  private:
   Vec3f diffuseColor_, transparentColor_, reflectiveColor_;
   float indexOfRefraction_;
-  int priority_ = 0;
+  int priority_ = 0, number_ = -1;
 };

@@ -74,7 +74,7 @@ class RenderRun {
  private:
   void openCheckpoint(RenderTargets& targets);
   void traceRays(RenderTargets targets, RunDisplay& display);
-  void inspect(const Object3D& geometry, const MaterialColors& materialColors);
+  void inspect(const Object3D& geometry);
 
   RenderRequest request_;
   const RunRequest& run_;
@@ -153,8 +153,6 @@ void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   stats_.threads = run_.threads;
   stats_.pictureBytes = scene_.getPictureBytes();
   stats_.buildSeconds = watch_.restart();
-  const MaterialColors materialColors(scene_);
-  targets.materialColors = &materialColors;
   if (wantsRays(outputs_)) {
     render(scene_, geometry.object(), picture.render, run_.threads, targets,
            counts ? &stats_.rays : nullptr);
@@ -163,13 +161,13 @@ void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   stats_.tests = geometry.tallied();
   display.finish();
   status_ = print(display.lastPicture());
-  inspect(geometry.object(), materialColors);
+  inspect(geometry.object());
 }
 
 /// What is told of the picture besides: rays are traced once more for the heat map and the pixel.
-void RenderRun::inspect(const Object3D& geometry, const MaterialColors& materialColors) {
+void RenderRun::inspect(const Object3D& geometry) {
   if (Output* const materials = findOutput(outputs_, Kind::materials)) {
-    materials->text = materialColors.legend(materials->image);
+    materials->text = materialLegend(scene_, materials->image);
   }
   drawHeatmap(scene_, geometry, request_.picture, run_, outputs_);
   lastLines_ = inspectPixel(scene_, notes_.places, geometry, request_, outputs_);

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
 
 #include "render/ray_counts.h"
 #include "render/ray_report.h"
@@ -21,18 +22,18 @@
 
 namespace {
 
-constexpr std::size_t kColors = (1 << 24) - 1;
+constexpr int kColors = (1 << 24) - 1;
 
 /// A colour as one number.
 std::uint32_t packed(Rgb8 color) {
   return std::uint32_t(color.r) << 16 | std::uint32_t(color.g) << 8 | color.b;
 }
 
-/// Component 0, 1 or 2 of the colour with number `number`: every third of its bits makes the level.
+/// Component 0, 1 or 2 of a material's colour: every third of the bits makes the level.
 /// Level 0 is 0; the other 255 are all different and above 0.
-std::uint8_t componentOf(std::size_t number, int component) {
+std::uint8_t componentOf(int bits, int component) {
   unsigned level = 0;
-  for (int bit = 0; bit < 8; ++bit) level |= unsigned(number >> (component + 3 * bit) & 1) << bit;
+  for (int bit = 0; bit < 8; ++bit) level |= unsigned(bits >> (component + 3 * bit) & 1) << bit;
   if (level == 0) return 0;
   unsigned reversed = 0;
   for (int bit = 0; bit < 8; ++bit) reversed = reversed << 1 | ((level - 1) >> bit & 1);
@@ -75,36 +76,26 @@ void forEachSample(const SampleSource& source, const PixelRectangle& area, const
 
 }  // namespace
 
-MaterialColors::MaterialColors(const SceneParser& scene) : scene_(scene) {
-  for (int i = 0; i < scene.getNumMaterials(); ++i) {
-    numbers_.emplace(scene.getMaterial(i), std::size_t(i));
-  }
+Rgb8 materialColor(int number) {
+  if (number < 0) return {128, 128, 128};
+  const int bits = number % kColors + 1;
+  return {componentOf(bits, 0), componentOf(bits, 1), componentOf(bits, 2)};
 }
 
-Rgb8 MaterialColors::colorOf(std::size_t index) {
-  const std::size_t number = index % kColors + 1;
-  return {componentOf(number, 0), componentOf(number, 1), componentOf(number, 2)};
-}
-
-Rgb8 MaterialColors::of(const Material* material) const {
-  const auto found = numbers_.find(material);
-  return found == numbers_.end() ? Rgb8{128, 128, 128} : colorOf(found->second);
-}
-
-std::string MaterialColors::legend(const Image& picture) const {
+std::string materialLegend(const SceneParser& scene, const Image& picture) {
   // How many pixels there are of each colour; then a line for each that is a material's.
   std::unordered_map<std::uint32_t, std::size_t> pixels;
   for (int y = 0; y < picture.Height(); ++y) {
     for (int x = 0; x < picture.Width(); ++x) ++pixels[packed(picture.getPixel(x, y))];
   }
   std::string lines;
-  for (int i = 0; i < scene_.getNumMaterials(); ++i) {
-    const Rgb8 color = colorOf(std::size_t(i));
+  for (int i = 0; i < scene.getNumMaterials(); ++i) {
+    const Rgb8 color = materialColor(i);
     const auto found = pixels.find(packed(color));
     if (found == pixels.end()) continue;
     lines += "material " + std::to_string(i) + ": " + std::to_string(color.r) + " " +
              std::to_string(color.g) + " " + std::to_string(color.b) + ", " +
-             scene_.getMaterial(i)->getKind() + ", " + std::to_string(found->second) +
+             scene.getMaterial(i)->getKind() + ", " + std::to_string(found->second) +
              (found->second == 1 ? " pixel\n" : " pixels\n");
   }
   return lines;

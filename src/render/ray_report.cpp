@@ -150,12 +150,6 @@ std::string textOf(float number) {
 
 std::string textOf(double number) { return printed(number, kMostDigits); }
 
-// Materials are found by their address; objects know no place, so ObjectPlaces has noted it.
-SceneNames::SceneNames(const SceneParser& scene, const ObjectPlaces& places)
-    : scene_(scene), places_(places) {
-  for (int i = 0; i < scene.getNumMaterials(); ++i) materials_.emplace(scene.getMaterial(i), i);
-}
-
 std::string SceneNames::ofObject(const Object3D* object, std::optional<std::uint32_t> face) const {
   const std::size_t line = places_.lineOf(object);
   if (line == 0) return "an object that is not in the scene file";
@@ -165,9 +159,8 @@ std::string SceneNames::ofObject(const Object3D* object, std::optional<std::uint
 }
 
 std::string SceneNames::ofMaterial(const Material& material) const {
-  const auto found = materials_.find(&material);
-  if (found == materials_.end()) return "a material that is not in the scene file";
-  return "material " + std::to_string(found->second) + ", " + material.getKind();
+  if (material.getNumber() < 0) return "a material that is not in the scene file";
+  return "material " + std::to_string(material.getNumber()) + ", " + material.getKind();
 }
 
 std::string SceneNames::ofLight(int index) const {

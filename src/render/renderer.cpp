@@ -103,7 +103,7 @@ void setSurface(const RenderTargets& targets, const Hit& hit, Pixel at) {
   }
   if (targets.materials) {
     targets.materials->setPixel(at.i, at.j,
-                                found ? targets.materialColors->of(hit.getMaterial()) : Rgb8());
+                                found ? materialColor(hit.getMaterial()->getNumber()) : Rgb8());
   }
 }
 

@@ -1,43 +1,10 @@
-// The tables of a wave. Surfaces are sorted by counting: each material gets a number when it is
-// first seen, found again by hashing its address; then its surfaces' places follow from how many
-// come before. The order is that of the rays alone, not of the addresses.
+// The tables of a wave. Surfaces are sorted by counting: which group is each one's, how many does
+// each group have, and so how many come before it.
 #include "render/wave_tables.h"
 
 #include <algorithm>
 
 namespace {
-
-/// Numbers materials from 0 in the order in which they are first seen.
-class MaterialNumbers {
- public:
-  /// For up to `most` materials.
-  MaterialNumbers(int most, Arena& arena) {
-    while (1 << bits_ < 2 * most) ++bits_;
-    const auto size = std::size_t(1) << bits_;
-    numbers_ = arena.take<std::uint16_t>(size);
-    materials_ = arena.take<const Material*>(size);
-    std::fill(numbers_, numbers_ + size, kFree);
-  }
-  int numberOf(const Material* material) {
-    const auto address = reinterpret_cast<std::uintptr_t>(material);
-    // Source: Knuth, "The Art of Computer Programming", volume 3, 6.4 (multiplicative hashing).
-    std::size_t slot = std::size_t((address * 0x9e3779b97f4a7c15u) >> (64 - bits_));
-    while (numbers_[slot] != kFree && materials_[slot] != material) {
-      slot = (slot + 1) & ((std::size_t(1) << bits_) - 1);
-    }
-    if (numbers_[slot] == kFree) {
-      numbers_[slot] = std::uint16_t(count_++);
-      materials_[slot] = material;
-    }
-    return numbers_[slot];
-  }
-
- private:
-  static constexpr std::uint16_t kFree = 0xffff;
-  int bits_ = 1, count_ = 0;
-  std::uint16_t* numbers_;
-  const Material** materials_;
-};
 
 template <std::size_t kTables>
 void takeColumns(Arena& arena, int rows, double* (*const (&tables)[kTables])[3]) {
@@ -101,19 +68,25 @@ WaveSurfaces::WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* 
 
 void WaveSurfaces::sort(WaveHit* met, Arena& arena) {
   const Arena::Frame frame(arena);
-  MaterialNumbers numbers(count, arena);
-  auto* group = arena.take<std::uint16_t>(std::size_t(count));
+  auto* groupOf = arena.take<std::uint16_t>(std::size_t(count));
+  // The group that a material of such a number began last. Where two have the same bits, each may
+  // have several groups.
+  std::uint16_t latest[256] = {};
   for (int k = 0; k < count; ++k) {
-    const int number = numbers.numberOf(met[k].material);
-    if (number == groupCount) groups[groupCount++] = {met[k].material, 0, 0};
-    group[k] = std::uint16_t(number);
-    ++groups[number].last;  // so many, for now
+    const Material* const material = met[k].material;
+    std::uint16_t& group = latest[material->getNumber() & 255];
+    if (groupCount == 0 || groups[group].material != material) {
+      group = std::uint16_t(groupCount);
+      groups[groupCount++] = {material, 0, 0};
+    }
+    ++groups[group].last;  // so many, for now
+    groupOf[k] = group;
   }
   int first = 0;
-  for (int number = 0; number < groupCount; ++number) {
-    const int size = groups[number].last;
-    groups[number].first = groups[number].last = first;
+  for (MaterialGroup* group = groups; group != groups + groupCount; ++group) {
+    const int size = group->last;
+    group->first = group->last = first;
     first += size;
   }
-  for (int k = 0; k < count; ++k) met[k].place = std::uint16_t(groups[group[k]].last++);
+  for (int k = 0; k < count; ++k) met[k].place = std::uint16_t(groups[groupOf[k]].last++);
 }

@@ -51,7 +51,8 @@ struct MaterialGroup {
   int first, last;
 };
 
-/// Surfaces, those of one material side by side, groups in the order of their first surface.
+/// Surfaces, those of one material side by side as a rule, groups in the order of their first
+/// surface.
 struct WaveSurfaces {
   int count;
   MaterialGroup* groups;

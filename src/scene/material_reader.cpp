@@ -47,6 +47,7 @@ void MaterialReader::readInline() {
 void MaterialReader::add() {
   notes_.materials.push_back({in_.at(), false, {}});
   materials_.push_back(read());
+  materials_.back()->setNumber(int(materials_.size()) - 1);
 }
 
 void MaterialReader::readIndex(std::string_view name) {

@@ -5,6 +5,7 @@
 #include "render/false_colors.h"
 #include "render/renderer.h"
 #include "scene_text.h"
+#include "shading/phong_material.h"
 
 namespace {
 
@@ -21,31 +22,27 @@ const char* const kTwoBalls =
 TEST("the first colours are the pure ones, in the order of counting in bits") {
   const unsigned expected[] = {0xff0000, 0x00ff00, 0xffff00, 0x0000ff,
                                0xff00ff, 0x00ffff, 0xffffff, 0x7f0000};
-  for (std::size_t i = 0; i < 8; ++i) {
-    CHECK_EQUAL(packed(MaterialColors::colorOf(i)), expected[i]);
-  }
+  for (int i = 0; i < 8; ++i) CHECK_EQUAL(packed(materialColor(i)), expected[i]);
 }
 
 TEST("no colour is black, and as many as there are others are all different") {
-  constexpr std::size_t kAll = (1 << 24) - 1;
+  constexpr int kAll = (1 << 24) - 1;
   std::vector<bool> isTaken(1 << 24);
-  std::size_t taken = 0;
-  for (std::size_t i = 0; i < kAll; ++i) {
-    const unsigned color = packed(MaterialColors::colorOf(i));
+  int taken = 0;
+  for (int i = 0; i < kAll; ++i) {
+    const unsigned color = packed(materialColor(i));
     taken += color != 0 && !isTaken[color];
     isTaken[color] = true;
   }
   CHECK_EQUAL(taken, kAll);
-  CHECK_EQUAL(packed(MaterialColors::colorOf(kAll)), 0xff0000u);
+  CHECK_EQUAL(packed(materialColor(kAll)), 0xff0000u);
 }
 
 TEST("the picture shows each surface in its material's colour, and nothing in black") {
   const SceneParser scene = scene_text::parse(kTwoBalls);
-  const MaterialColors colors(scene);
   Image picture(30, 30);
   RenderTargets targets;
   targets.materials = &picture;
-  targets.materialColors = &colors;
   render(scene, *scene.getGroup(), {}, 2, targets);
   // At distance 5 the picture is 2 * 5 * tan(15 degrees) = 2.7 wide: x = -0.5 is at
   // (0.5 - 0.5 / 2.7) * 30 = 9.4, x = 0.5 at 20.6.
@@ -71,15 +68,14 @@ TEST("the legend lists the materials that are seen, with their pixels") {
   picture.setPixel(0, 0, Rgb8{0, 255, 0});
   picture.setPixel(1, 1, Rgb8{0, 255, 0});
   picture.setPixel(0, 1, Rgb8{255, 0, 0});
-  CHECK_EQUAL(MaterialColors(scene).legend(picture),
+  CHECK_EQUAL(materialLegend(scene, picture),
               "material 0: 255 0 0, PhongMaterial, 1 pixel\n"
               "material 1: 0 255 0, OrenNayarMaterial, 2 pixels\n");
 }
 
 TEST("a material of no scene is grey") {
-  const SceneParser scene = scene_text::parse(kTwoBalls), other = scene_text::parse(kTwoBalls);
-  CHECK_EQUAL(packed(MaterialColors(scene).of(other.getMaterial(0))), 0x808080u);
-  CHECK_EQUAL(packed(MaterialColors(scene).of(scene.getMaterial(1))), 0x00ff00u);
+  const PhongMaterial material({}, {}, 1, {}, {}, 1);
+  CHECK_EQUAL(packed(materialColor(material.getNumber())), 0x808080u);
 }
 
 TEST("each kind of material has the name that scene files write") {

@@ -228,6 +228,7 @@ TEST("a material inside a Group comes behind the listed ones, and an index undoe
   CHECK_EQUAL(scene->getNumMaterials(), 3);
   CHECK(object<Sphere>(*scene, 0).getMaterial() == scene->getMaterial(2));
   CHECK(object<Sphere>(*scene, 1).getMaterial() == scene->getMaterial(1));
+  for (int i = 0; i < 3; ++i) CHECK_EQUAL(scene->getMaterial(i)->getNumber(), i);
 }
 
 TEST("triangles without area are warned of by line, and many of them counted") {
