@@ -41,6 +41,28 @@ struct PixelRectangle {
   }
 };
 
+/// A picture of width x height pixels in squares of `side`, those at its right and upper edge
+/// perhaps cut off.
+struct Tiling {
+  int width, height, side;
+
+  int columns() const { return (width + side - 1) / side; }
+  int count() const { return columns() * ((height + side - 1) / side); }
+  /// The pixels of a tile, 0 <= tile < count(): row by row from the lowest.
+  PixelRectangle areaOf(int tile) const {
+    const int left = tile % columns() * side, bottom = tile / columns() * side;
+    return {left, bottom, std::min(left + side, width), std::min(bottom + side, height)};
+  }
+  /// The numbers of the tiles that make up `area`, whose edges are edges of tiles.
+  std::vector<int> tilesIn(const PixelRectangle& area) const {
+    std::vector<int> tiles;
+    for (int j = area.bottom / side; j * side < area.top; ++j) {
+      for (int i = area.left / side; i * side < area.right; ++i) tiles.push_back(j * columns() + i);
+    }
+    return tiles;
+  }
+};
+
 /// Every other bit of a place in a block of 16 x 16 pixels, from the lowest on: its column; that of
 /// place / 2 is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that any 2^n
 /// rays in a row lie in a small block, where they meet much the same things.

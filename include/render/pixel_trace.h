@@ -5,26 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "geometry/object3d.h"
-#include "render/render_options.h"
 #include "render/renderer.h"
 #include "render/watched_tracer.h"
-#include "scene/scene_parser.h"
 
 /// Tells each of the observers, one after the other, what becomes of the ray through the centre
 /// of the pixel at the corner of `place`. Returns the pixel's colour, in which other samples may
-/// have a share: to the last bit that of a whole picture, unclamped. `geometry` answers for the
-/// scene's objects. Traces on threads of its own, for as much stack as the bounces need.
-Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-                 const PictureWindow& place, const std::vector<RayObserver*>& observers);
+/// have a share: to the last bit that of a whole picture, unclamped. Traces on threads of its own,
+/// for as much stack as the bounces need.
+Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& place,
+                 const std::vector<RayObserver*>& observers);
 
 /// An observer that keeps rays as lines in space, for a modeller or mesh viewer.
 class RayLines : public RayObserver {
  public:
-  /// `geometry` answers for the scene's objects and is not owned; `options` are those of the
-  /// tracer. A ray that meets nothing is drawn `escapeLength` > 0 long.
-  RayLines(const Object3D& geometry, const RenderOptions& options, double escapeLength)
-      : geometry_(geometry), options_(options), escapeLength_(escapeLength) {}
+  /// Of rays traced as by `tracer`, which is not owned. One that meets nothing is drawn
+  /// `escapeLength` > 0 long.
+  RayLines(const RayTracer& tracer, double escapeLength)
+      : tracer_(tracer), escapeLength_(escapeLength) {}
 
   void rayBegins(RayKind kind, int bounces, const TracedRay& ray) override;
   void rayMeets(const Hit* hit) override;
@@ -46,8 +43,7 @@ class RayLines : public RayObserver {
 
   void add(Kind kind, const Ray& ray, double from, double to);
 
-  const Object3D& geometry_;
-  const RenderOptions options_;
+  const RayTracer& tracer_;
   const double escapeLength_;
   Ray ray_;  // the one that began last
   Kind kind_ = eye;

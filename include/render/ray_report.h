@@ -8,10 +8,8 @@
 #include <string>
 
 #include "math/vec3.h"
-#include "render/render_options.h"
 #include "render/watched_tracer.h"
 #include "scene/object_places.h"
-#include "scene/scene_parser.h"
 
 /// The fewest digits that give the same float back. Minus zero is 0; a NaN has no sign.
 std::string textOf(float number);
@@ -44,8 +42,6 @@ class SceneNames {
 
 /// An observer that writes the tree of rays as text: a line for each fact, in plain ASCII, two
 /// blanks for each step down. `writeLine` takes one line after the other, each with its end.
-/// `names` and `geometry`, which answers for the scene's objects, are not owned; `options` are
-/// those of the tracer.
-std::unique_ptr<RayObserver> makeRayReport(const SceneNames& names, const Object3D& geometry,
-                                           const RenderOptions& options,
+/// The rays are traced as by `tracer`; neither that nor `names` is owned.
+std::unique_ptr<RayObserver> makeRayReport(const RayTracer& tracer, const SceneNames& names,
                                            std::function<void(const std::string& line)> writeLine);

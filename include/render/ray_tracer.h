@@ -29,6 +29,7 @@ class RayTracer {
   const Object3D& geometry() const { return *geometry_; }
   const Shader& shader() const { return shader_; }
   const Interfaces& interfaces() const { return interfaces_; }
+  const RenderOptions& options() const { return shader_.options(); }
 
   /// What of a light's colour arrives at the surface: 0..1 in each component.
   Vec3f visibility(const Surface& s, const LightSample& light) const;

@@ -1,22 +1,16 @@
 // The renderer: casts rays through every pixel, in tiles, on several threads. One ray through the
 // centre, unless RenderOptions::sampling says otherwise.
 #pragma once
-#include "geometry/object3d.h"
 #include "image/image.h"
-#include "render/false_colors.h"
+#include "render/image_plane.h"
 #include "render/ray_counts.h"
-#include "render/render_options.h"
-#include "scene/scene_parser.h"
-
-struct PixelRectangle;
-struct RenderTargets;
+#include "render/ray_tracer.h"
 
 /// Keeps finished tiles, so that they need not be rendered again: for each tile the renderer asks
 /// whether it is finished, else renders it and hands it over. Called by all worker threads at once.
-/// `targets` has the pictures that the tiles at hand belong to, and no other; `area` is in pixels
-/// of the picture (not of an enlarged one), within it, its left and bottom multiples of kSide, its
-/// right and top too unless they are the picture's. Tiles have other areas when the number of
-/// threads is another.
+/// `area` is in pixels of the targets (not of an enlarged one), within them, its left and bottom
+/// multiples of kSide, its right and top too unless they are the targets'. Tiles have other areas
+/// when the number of threads is another.
 class TileStore {
  public:
   static constexpr int kSide = 16;  ///< pixels; all tiles are made of such squares
@@ -26,10 +20,10 @@ class TileStore {
   TileStore(const TileStore&) = delete;
   TileStore& operator=(const TileStore&) = delete;
 
-  /// True where the pictures already hold all these pixels, which are then not rendered.
-  virtual bool isFinished(const RenderTargets& targets, const PixelRectangle& area) const = 0;
-  /// The pictures now hold these pixels, and nobody writes to them any more.
-  virtual void finish(const RenderTargets& targets, const PixelRectangle& area) = 0;
+  /// True where all targets already hold these pixels, which are then not rendered.
+  virtual bool isFinished(const PixelRectangle& area) const = 0;
+  /// The targets now hold these pixels, and nobody writes to them any more.
+  virtual void finish(const PixelRectangle& area) = 0;
 };
 
 /// Is told how far the picture is, by all worker threads at once.
@@ -77,14 +71,16 @@ struct RenderTargets {
   PictureWindow window{};
   TileListener* listener = nullptr;  ///< null: nobody wants to know of tiles
   TileStore* store = nullptr;        ///< null: nobody keeps tiles
+
+  /// In pixels, `samples` counted as if it were not enlarged.
+  Vec2<int> size() const;
 };
 
-/// Fills the targets with the scene as its camera sees it, `geometry` (the scene's group, or a
-/// compiled form of it) answering for its objects. `threads` >= 1 never changes a byte. At least
-/// one target must be given; a pixel's central ray is cast once however many there are. Depth and
-/// normals are those of the central ray even where the colour comes from samples, whose rays are
-/// then cast besides it, once for colour and samples together.
+/// Fills the targets with the tracer's scene as its camera sees it. `threads` >= 1 never changes a
+/// byte. At least one target must be given; a pixel's central ray is cast once however many there
+/// are. Depth and normals are those of the central ray even where the colour comes from samples,
+/// whose rays are then cast besides it, once for colour and samples together.
 /// Where `counts` is not null, all rays are added to it.
 /// Throws what a worker thread throws (std::bad_alloc, std::system_error).
-void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets, RayCounts* counts = nullptr);
+void render(const RayTracer& tracer, int threads, const RenderTargets& targets,
+            RayCounts* counts = nullptr);

@@ -49,10 +49,10 @@ class RayObserver {
 
 class WatchedTracer : public RayTracer {
  public:
-  /// As RayTracer; `observer` is not owned. It belongs to one thread, and so does the tracer.
-  WatchedTracer(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-                RayObserver& observer)
-      : RayTracer(scene, geometry, options), observer_(observer) {}
+  /// Of the same scene, geometry and options as `tracer`. `observer` is not owned. It belongs to
+  /// one thread, and so does this.
+  WatchedTracer(const RayTracer& tracer, RayObserver& observer)
+      : RayTracer(tracer.scene(), tracer.geometry(), tracer.options()), observer_(observer) {}
 
   Vec3f traceRay(Ray& ray, float tmin, int bounces, float weight, float indexOfRefraction,
                  Hit& hit) const override;

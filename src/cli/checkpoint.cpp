@@ -1,8 +1,8 @@
 // Checkpoint: written by appending whole records, read from the first to the last.
 //
 // The file begins with a header of 96 bytes: 32 of a title, the fingerprint, the SHA-256 of both.
-// Then come records: "Tile", the tile's number and the bits of its pictures in 4 bytes each; its
-// pixels; the SHA-256 of the fingerprint and all that.
+// Then come records: "Tile", the tile's number in 4 bytes; its pixels in all pictures; the SHA-256
+// of the fingerprint and all that.
 //
 // A worker thread that has finished a tile appends it. The next run of the same command reads them
 // all before it renders, and its workers pass over them. It goes from record to record: the head of
@@ -17,7 +17,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -28,11 +27,11 @@
 
 namespace {
 
-/// Of the file: a checkpoint of layout 1, which had other records, is no file of ours.
-constexpr std::uint64_t kLayout = 2;
-constexpr char kTitle[32] = "raytracer checkpoint 2\n";
+/// Of the file: a checkpoint of layout 2, which had other records, is no file of ours.
+constexpr std::uint64_t kLayout = 3;
+constexpr char kTitle[32] = "raytracer checkpoint 3\n";
 constexpr char kMark[4] = {'T', 'i', 'l', 'e'};
-constexpr std::size_t kHeadSize = sizeof kMark + 2 * sizeof(std::uint32_t);
+constexpr std::size_t kHeadSize = sizeof kMark + sizeof(std::uint32_t);
 constexpr std::size_t kSearchPiece = 4096;
 /// So much damage in one place is looked through for whole records, no more.
 constexpr off_t kMostDamage = off_t(64) << 20;
@@ -73,7 +72,8 @@ Checkpoint::Checkpoint(const std::string& path, const Digest& picture, const Ren
     : path_(checked(path)),
       fingerprint_(fingerprintOf(picture, targets)),
       targets_(targets),
-      found_(tileCount(targets)),
+      tiling_{targets.size().x(), targets.size().y(), kSide},
+      found_(std::size_t(tiling_.count())),
       file_(path, O_RDWR | O_CREAT | O_NOCTTY | O_NONBLOCK) {
   if (!file_.isOpen()) fail(errno);
   if (file_.regularSize() < 0) {
@@ -90,16 +90,15 @@ Checkpoint::Checkpoint(const std::string& path, const Digest& picture, const Ren
 
 /// Of what was found at the start alone: what this run finishes itself it does not ask for again,
 /// so that what threads read here never changes.
-bool Checkpoint::isFinished(const RenderTargets& targets, const PixelRectangle& area) const {
-  const std::uint32_t wanted = pictureBits(targets);
-  const std::vector<std::uint32_t> tiles = tilesIn(targets_, area);
+bool Checkpoint::isFinished(const PixelRectangle& area) const {
+  const std::vector<int> tiles = tiling_.tilesIn(area);
   return std::all_of(tiles.begin(), tiles.end(),
-                     [&](std::uint32_t tile) { return (found_[tile] & wanted) == wanted; });
+                     [&](int tile) { return found_[std::size_t(tile)]; });
 }
 
-void Checkpoint::finish(const RenderTargets& targets, const PixelRectangle& area) {
-  for (const std::uint32_t number : tilesIn(targets_, area)) {
-    const Bytes record = recordOf({number, pictureBits(targets)});
+void Checkpoint::finish(const PixelRectangle& area) {
+  for (const int tile : tiling_.tilesIn(area)) {
+    const Bytes record = recordOf(std::uint32_t(tile));
     const std::lock_guard<std::mutex> lock(mutex_);
     try {
       write(record);
@@ -110,14 +109,9 @@ void Checkpoint::finish(const RenderTargets& targets, const PixelRectangle& area
   }
 }
 
-/// Each picture of each tile counts the same, whatever its size.
+/// Each tile counts the same, whatever its size.
 double Checkpoint::foundShare() const {
-  const auto count = [](std::uint32_t pictures) {
-    return double(std::bitset<32>(pictures).count());
-  };
-  double found = 0;
-  for (const std::uint32_t pictures : found_) found += count(pictures);
-  return found / (double(found_.size()) * count(pictureBits(targets_)));
+  return double(std::count(found_.begin(), found_.end(), true)) / double(found_.size());
 }
 
 void Checkpoint::tell() const {
@@ -181,36 +175,30 @@ Digest Checkpoint::checksumOf(const std::uint8_t* record, std::size_t size) cons
   return hash.finish();
 }
 
-Checkpoint::Tile Checkpoint::tileOf(const Bytes& record) {
-  Tile tile;
-  std::memcpy(&tile, &record[sizeof kMark], sizeof tile);
-  return tile;
-}
-
 /// Called while other threads write to other tiles: it reads no pixel of these.
-Bytes Checkpoint::recordOf(const Tile& tile) const {
+Bytes Checkpoint::recordOf(std::uint32_t tile) const {
   Bytes record(kHeadSize);
   std::memcpy(record.data(), kMark, sizeof kMark);
   std::memcpy(&record[sizeof kMark], &tile, sizeof tile);
-  append(tileBytes(targets_, tile.pictures, tileArea(targets_, tile.number)), record);
+  append(tileBytes(targets_, tiling_.areaOf(int(tile))), record);
   append(checksumOf(record.data(), record.size()), record);
   return record;
 }
 
-/// True where the mark at `at` begins a whole record, of a tile that a run of this picture can have
-/// made. In either case `record` has about as many bytes as were read.
-bool Checkpoint::readRecord(off_t at, Bytes& record) const {
+/// The number of the tile whose whole record begins with the mark at `at`, where there is one. In
+/// either case `record` has about as many bytes as were read.
+std::optional<std::uint32_t> Checkpoint::readRecord(off_t at, Bytes& record) const {
   record.resize(kHeadSize);
-  if (readAt(at, record) < kHeadSize) return false;
-  const auto [number, pictures] = tileOf(record);
-  if (number >= found_.size() || pictures == 0) return false;
-  if ((pictures & ~pictureBits(targets_)) != 0) return false;
-  const std::size_t size =
-      kHeadSize + tileByteCount(targets_, pictures, tileArea(targets_, number));
+  if (readAt(at, record) < kHeadSize) return std::nullopt;
+  std::uint32_t tile;
+  std::memcpy(&tile, &record[sizeof kMark], sizeof tile);
+  if (tile >= found_.size()) return std::nullopt;
+  const std::size_t size = kHeadSize + tileByteCount(targets_, tiling_.areaOf(int(tile)));
   record.resize(size + sizeof(Digest));
-  if (readAt(at, record) < record.size()) return false;
+  if (readAt(at, record) < record.size()) return std::nullopt;
   const Digest sum = checksumOf(record.data(), size);
-  return std::equal(sum.begin(), sum.end(), &record[size]);
+  if (!std::equal(sum.begin(), sum.end(), &record[size])) return std::nullopt;
+  return tile;
 }
 
 /// The mark is looked for in pieces that overlap by so much that none is cut. Each mark that begins
@@ -226,14 +214,14 @@ void Checkpoint::readTiles() {
     if (mark == end && size < kSearchPiece) break;
     at += std::min(mark - piece.begin(), std::ptrdiff_t(kSearchPiece - sizeof kMark + 1));
     if (mark == end) continue;
-    if (!readRecord(at, record)) {
+    const auto tile = readRecord(at, record);
+    if (!tile) {
       inVain += off_t(size + record.size());
       ++at;
       continue;
     }
-    const auto [number, pictures] = tileOf(record);
-    setTileBytes(targets_, pictures, tileArea(targets_, number), &record[kHeadSize]);
-    found_[number] |= pictures;
+    setTileBytes(targets_, tiling_.areaOf(int(*tile)), &record[kHeadSize]);
+    found_[*tile] = true;
     damaged_ = damaged_ || at > end_;
     at += off_t(record.size());
     end_ = at;

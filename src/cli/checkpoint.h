@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ class Checkpoint : public TileStore {
   /// checkpoint, or one of another picture; such a file stays as it is.
   Checkpoint(const std::string& path, const Digest& picture, const RenderTargets& targets);
 
-  bool isFinished(const RenderTargets& targets, const PixelRectangle& area) const override;
+  bool isFinished(const PixelRectangle& area) const override;
   /// Appends the tiles of `area` to the file. The first time that fails the user is warned; a tile
   /// that could not be kept is one that the next run renders again.
-  void finish(const RenderTargets& targets, const PixelRectangle& area) override;
+  void finish(const PixelRectangle& area) override;
 
   /// How much of the pictures was found in the file, from 0 to 1.
   double foundShare() const;
@@ -38,18 +39,11 @@ class Checkpoint : public TileStore {
   void remove();
 
  private:
-  /// Some pictures of a tile, see render/tile_bytes.h. (Colours with samples are rendered in one
-  /// pass, depth and normals in another: a tile may be kept by halves.)
-  struct Tile {
-    std::uint32_t number, pictures;
-  };
-
   void checkHeader();
   void readTiles();
   std::size_t readAt(off_t offset, Bytes& target) const;
-  bool readRecord(off_t at, Bytes& record) const;
-  static Tile tileOf(const Bytes& record);
-  Bytes recordOf(const Tile& tile) const;
+  std::optional<std::uint32_t> readRecord(off_t at, Bytes& record) const;
+  Bytes recordOf(std::uint32_t tile) const;
   Digest checksumOf(const std::uint8_t* record, std::size_t size) const;
   void write(const Bytes& bytes);
   [[noreturn]] void fail(int error) const;
@@ -57,7 +51,8 @@ class Checkpoint : public TileStore {
   const std::string path_;
   const Digest fingerprint_;
   const RenderTargets targets_;
-  std::vector<std::uint32_t> found_;  // for each tile: the pictures whose pixels the file held
+  const Tiling tiling_;
+  std::vector<bool> found_;  // the tiles that the file held
   const OpenFile file_;
   std::string place_;  // the path with its links followed
   bool damaged_ = false;

@@ -88,36 +88,34 @@ std::string Stats::text(const PictureRequest& picture) const {
 }
 
 /// Has a line of progress of its own, as all rays are traced once more.
-void drawHeatmap(const SceneParser& scene, const Object3D& geometry, const PictureRequest& picture,
-                 const RunRequest& run, std::vector<Output>& outputs) {
+void drawHeatmap(const RayTracer& tracer, const RunRequest& run, std::vector<Output>& outputs) {
   Output* const heat = findOutput(outputs, OutputRequest::Kind::heatmap);
   if (!heat) return;
   RunDisplay display(run.progress);
-  const std::vector<std::uint32_t> counts = countRays(scene, geometry, picture.render, run.threads,
-                                                      picture.width, picture.height, &display);
+  const std::vector<std::uint32_t> counts =
+      countRays(tracer, run.threads, heat->image.Width(), heat->image.Height(), &display);
   display.finish();
   heat->text = drawHeatmap(counts, heat->image);
 }
 
-std::string inspectPixel(const SceneParser& scene, const ObjectPlaces& places,
-                         const Object3D& geometry, const RenderRequest& render,
-                         std::vector<Output>& outputs) {
+std::string inspectPixel(const RayTracer& tracer, const ObjectPlaces& places,
+                         const RenderRequest& render, std::vector<Output>& outputs) {
   if (!render.results.pixel) return "";
   const PictureRequest& picture = render.picture;
   const PictureSpot at = *render.results.pixel;
   // One observer tells what becomes of each ray, in words; the other one, where it is wanted, keeps
   // where the ray went.
-  const SceneNames names(scene, places);
-  const auto report = makeRayReport(names, geometry, picture.render, writeOut);
+  const SceneNames names(tracer.scene(), places);
+  const auto report = makeRayReport(tracer, names, writeOut);
   // A ray that meets nothing is drawn as long as the scene.
-  const double span = scene.getSpan();
-  RayLines lines(geometry, picture.render, span > 0 ? span : kEscapeLength);
+  const double span = tracer.scene().getSpan();
+  RayLines lines(tracer, span > 0 ? span : kEscapeLength);
   Output* const obj = findOutput(outputs, OutputRequest::Kind::rays);
   std::vector<RayObserver*> observers = {report.get()};
   if (obj) observers.push_back(&lines);
   // Users count rows from the top, the camera from the bottom.
   const PictureWindow place = {at.x, picture.height - 1 - at.y, picture.width, picture.height};
-  const Vec3f color = tracePixel(scene, geometry, picture.render, place, observers);
+  const Vec3f color = tracePixel(tracer, place, observers);
   if (obj) obj->text = lines.obj();
   // The colour is the picture's, of all samples; what was reported is the central ray. So it is
   // told last, in numbers and as the bytes that a file has.

@@ -9,7 +9,6 @@
 #include "cli/outputs.h"
 #include "render/ray_counts.h"
 #include "scene/object_places.h"
-#include "scene/scene_parser.h"
 
 /// What -stats prints.
 struct Stats {
@@ -25,15 +24,12 @@ struct Stats {
   std::string text(const PictureRequest& picture) const;
 };
 
-/// Draws the heat map in its output and stores its scale there, where `outputs` has it. `geometry`
-/// answers for the scene's objects.
-void drawHeatmap(const SceneParser& scene, const Object3D& geometry, const PictureRequest& picture,
-                 const RunRequest& run, std::vector<Output>& outputs);
+/// Draws the heat map in its output and stores its scale there, where `outputs` has it.
+void drawHeatmap(const RayTracer& tracer, const RunRequest& run, std::vector<Output>& outputs);
 
 /// Writes the tree of the pixel's rays to standard output, as far as that takes it (the caller
 /// looks at ferror(stdout)), and stores their lines where `outputs` has them. Returns what is to be
 /// printed last: the pixel's colour in numbers and in bytes, or "" where no pixel is asked for.
-/// `places` says where the objects stand in the scene's file, `geometry` answers for them.
-std::string inspectPixel(const SceneParser& scene, const ObjectPlaces& places,
-                         const Object3D& geometry, const RenderRequest& render,
-                         std::vector<Output>& outputs);
+/// `places` says where the objects stand in the scene's file.
+std::string inspectPixel(const RayTracer& tracer, const ObjectPlaces& places,
+                         const RenderRequest& render, std::vector<Output>& outputs);

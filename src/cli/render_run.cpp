@@ -74,7 +74,7 @@ class RenderRun {
  private:
   void openCheckpoint(RenderTargets& targets);
   void traceRays(RenderTargets targets, RunDisplay& display);
-  void inspect(const Object3D& geometry);
+  void inspect(const RayTracer& tracer);
 
   RenderRequest request_;
   const RunRequest& run_;
@@ -153,24 +153,24 @@ void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
   stats_.threads = run_.threads;
   stats_.pictureBytes = scene_.getPictureBytes();
   stats_.buildSeconds = watch_.restart();
+  const RayTracer tracer(scene_, geometry.object(), picture.render);
   if (wantsRays(outputs_)) {
-    render(scene_, geometry.object(), picture.render, run_.threads, targets,
-           counts ? &stats_.rays : nullptr);
+    render(tracer, run_.threads, targets, counts ? &stats_.rays : nullptr);
   }
   stats_.traceSeconds = watch_.restart();
   stats_.tests = geometry.tallied();
   display.finish();
   status_ = print(display.lastPicture());
-  inspect(geometry.object());
+  inspect(tracer);
 }
 
 /// What is told of the picture besides: rays are traced once more for the heat map and the pixel.
-void RenderRun::inspect(const Object3D& geometry) {
+void RenderRun::inspect(const RayTracer& tracer) {
   if (Output* const materials = findOutput(outputs_, Kind::materials)) {
     materials->text = materialLegend(scene_, materials->image);
   }
-  drawHeatmap(scene_, geometry, request_.picture, run_, outputs_);
-  lastLines_ = inspectPixel(scene_, notes_.places, geometry, request_, outputs_);
+  drawHeatmap(tracer, run_, outputs_);
+  lastLines_ = inspectPixel(tracer, notes_.places, request_, outputs_);
 }
 
 int RenderRun::write() {

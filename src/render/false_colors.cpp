@@ -15,7 +15,6 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "render/ray_counts.h"
 #include "render/ray_report.h"
 #include "render/sample_tracing.h"
 #include "render/tiles.h"
@@ -101,22 +100,21 @@ std::string materialLegend(const SceneParser& scene, const Image& picture) {
   return lines;
 }
 
-std::vector<std::uint32_t> countRays(const SceneParser& scene, const Object3D& geometry,
-                                     const RenderOptions& options, int threads, int width,
-                                     int height, TileListener* listener) {
+std::vector<std::uint32_t> countRays(const RayTracer& tracer, int threads, int width, int height,
+                                     TileListener* listener) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
   const PixelRectangle picture = {0, 0, width, height};
-  const RayTracer tracer(scene, geometry, options);
-  const PictureView view = {*scene.getCamera(), options.places, width, height};
-  const Sampler sampler(options.sampling, height);
-  const double samples = options.sampling.samples;  // of a pixel, as far as they can be foretold
+  const SamplingOptions& sampling = tracer.options().sampling;
+  const PictureView view(*tracer.scene().getCamera(), tracer.options().places, width, height);
+  const Sampler sampler(sampling, height);
+  const double samples = sampling.samples;  // of a pixel, as far as they can be foretold
   if (listener) listener->begins(samples * width * height);
-  shareTiles({width, height, kTileSide}, options, threads, [&](const NextTile& next) {
+  shareTiles({width, height, kTileSide}, tracer, threads, [&](const NextTile& next) {
     WaveTracer waves(tracer);
-    const SampleSource source = {view, waves, sampler, options.sampling.tolerance};
+    const SampleSource source = {view, waves, sampler, sampling.tolerance};
     RayCounts rays;  // of this thread, all together
-    const WatchedTracer counting(scene, geometry, options, rays);
+    const WatchedTracer counting(tracer, rays);
     const auto count = [&](const Sample& sample) {
       const std::uint64_t before = rays.total();
       traceAlone(view, counting, sample);

@@ -32,13 +32,13 @@ bool isFinite(const Vec3d& v) {
 
 /// The observers watch the ray through the centre, each on a tracer of its own; the colour is
 /// another question, as samples around the pixel may have a share in it.
-Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-                 const PictureWindow& place, const std::vector<RayObserver*>& observers) {
-  const PictureView view = {*scene.getCamera(), options.places, place.width, place.height};
-  runOnThreads(1, tracingStack(options), [&](int) {
+Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& place,
+                 const std::vector<RayObserver*>& observers) {
+  const PictureView view(*tracer.scene().getCamera(), tracer.options().places, place.width,
+                         place.height);
+  runOnThreads(1, tracingStack(tracer.options()), [&](int) {
     for (RayObserver* const observer : observers) {
-      const WatchedTracer watched(scene, geometry, options, *observer);
-      traceAlone(view, watched, {{place.left, place.bottom}, {0.5, 0.5}});
+      traceAlone(view, WatchedTracer(tracer, *observer), {{place.left, place.bottom}, {0.5, 0.5}});
     }
   });
   // The renderer gives a pixel of a window the very colour that it has in the whole picture.
@@ -48,7 +48,7 @@ Vec3f tracePixel(const SceneParser& scene, const Object3D& geometry, const Rende
   targets.color = &pixel;
   targets.exactColor = &color;
   targets.window = place;
-  render(scene, geometry, options, 1, targets);
+  render(tracer, 1, targets);
   return color.getPixel(0, 0);
 }
 
@@ -75,7 +75,8 @@ void RayLines::lightAnswers(int, const LightSample&, const ShadowQuery* shadowRa
   const double whole = std::isfinite(shadowRay->tmax) ? shadowRay->tmax : escapeLength_;
   if (visible == Vec3f(1, 1, 1)) return add(lit, shadowRay->ray, 0, whole);
   if (visible != Vec3f()) return add(tinted, shadowRay->ray, 0, whole);
-  const auto blocker = findBlocker(geometry_, *shadowRay, options_.transparentShadows);
+  const auto blocker =
+      findBlocker(tracer_.geometry(), *shadowRay, tracer_.options().transparentShadows);
   add(blocked, shadowRay->ray, 0, blocker ? blocker->t : whole);
 }
 

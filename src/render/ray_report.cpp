@@ -31,9 +31,9 @@ std::string printed(double number, int digits) {
 /// The tree of rays as text.
 class RayReport : public RayObserver {
  public:
-  RayReport(const SceneNames& names, const Object3D& geometry, const RenderOptions& options,
+  RayReport(const RayTracer& tracer, const SceneNames& names,
             std::function<void(const std::string& line)> writeLine)
-      : names_(names), geometry_(geometry), options_(options), writeLine_(std::move(writeLine)) {}
+      : tracer_(tracer), names_(names), writeLine_(std::move(writeLine)) {}
 
   // A ray: what it is, and one step further in where it starts, what it meets and what comes of it.
   void rayBegins(RayKind kind, int bounces, const TracedRay& ray) override {
@@ -92,9 +92,9 @@ class RayReport : public RayObserver {
   void branchEnds(RayKind kind, Outcome why, float weight) override {
     const std::string reason =
         why == Outcome::tooManyBounces
-            ? "bounces " + std::to_string(options_.maxBounces) + " is the most"
+            ? "bounces " + std::to_string(tracer_.options().maxBounces) + " is the most"
         : why == Outcome::tooFaint
-            ? "weight " + textOf(weight) + " is below " + textOf(options_.minWeight)
+            ? "weight " + textOf(weight) + " is below " + textOf(tracer_.options().minWeight)
             : std::string("total internal reflection");
     line("no " + std::string(kKinds[int(kind)]) + " ray: " + reason);
   }
@@ -120,7 +120,8 @@ class RayReport : public RayObserver {
   std::string answerOf(const ShadowQuery* shadowRay, const Vec3f& visible) const {
     if (!shadowRay) return "no shadow ray";
     if (visible == Vec3f(1, 1, 1)) return "nothing in the way";
-    const auto blocker = findBlocker(geometry_, *shadowRay, options_.transparentShadows);
+    const auto blocker =
+        findBlocker(tracer_.geometry(), *shadowRay, tracer_.options().transparentShadows);
     if (visible != Vec3f() || !blocker) return "tinted by " + textOf(visible);
     return "blocked by " + names_.ofObject(blocker->object, blocker->face) + ", at t " +
            textOf(blocker->t);
@@ -129,9 +130,8 @@ class RayReport : public RayObserver {
   static constexpr const char* kKinds[] = {"eye", "mirror", "refracted"};
   static constexpr const char* kTerms[] = {"ambient", "lights", "mirror", "transmitted"};
 
+  const RayTracer& tracer_;
   const SceneNames& names_;
-  const Object3D& geometry_;
-  const RenderOptions options_;
   const std::function<void(const std::string& line)> writeLine_;
   int depth_ = 0;                       // of rays and components of textures
   const Material* material_ = nullptr;  // of what was met last; not owned
@@ -167,8 +167,7 @@ std::string SceneNames::ofLight(int index) const {
   return "light " + std::to_string(index) + ", " + scene_.getLight(index)->getKind();
 }
 
-std::unique_ptr<RayObserver> makeRayReport(const SceneNames& names, const Object3D& geometry,
-                                           const RenderOptions& options,
+std::unique_ptr<RayObserver> makeRayReport(const RayTracer& tracer, const SceneNames& names,
                                            std::function<void(const std::string& line)> writeLine) {
-  return std::make_unique<RayReport>(names, geometry, options, std::move(writeLine));
+  return std::make_unique<RayReport>(tracer, names, std::move(writeLine));
 }

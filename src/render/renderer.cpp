@@ -1,9 +1,9 @@
 // The renderer.
 //
-// A picture is rendered tile by tile, in one pass or two. Where a pixel is the colour of the ray
-// through its centre, a tile is one table of rays, and colour, depth, normals and materials all
-// come of what they hit. Where a pixel is made of samples, colours have a pass of their own, and
-// the central rays follow for the other pictures.
+// A picture is rendered tile by tile. Where a pixel is the colour of the ray through its centre,
+// the central rays of a tile, in squares that are a table each, give colour, depth, normals and
+// materials all at once. Where a pixel is made of samples, its colour comes of them, and its
+// central ray follows where other pictures are wanted.
 //
 // A tile of samples is computed from its own pixels and those around it that the filter reaches;
 // these are traced again for each tile, so that memory does not grow with the picture. Samples are
@@ -13,71 +13,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <mutex>
 
+#include "render/false_colors.h"
 #include "render/film.h"
 #include "render/sample_tracing.h"
 #include "render/tiles.h"
 #include "render/watched_tracer.h"
-#include "render/wave_tracer.h"
 
 namespace {
 
-/// The side of a tile of central rays, which are one table; of fewer where there are few tiles.
+/// The side of a square of central rays, which are one table.
 constexpr int kCentralSide = 2 * kTileSide;
 static_assert(kCentralSide * kCentralSide <= RayTable::kMost);
-/// Fewer tiles would not keep all threads busy.
-constexpr int kTilesPerThread = 4;
-/// Where rays are counted, tiles are small enough for so many threads, however many there are.
+/// Where rays are counted, tiles are small enough for so many threads, however many there are: rays
+/// around a tile are traced again, so to count the same, tiles must have the same size.
 constexpr int kCountedThreads = 16;
 
-const Image* anyOf(const RenderTargets& targets) {
-  for (const Image* image : {targets.color, targets.depth, targets.normals}) {
-    if (image) return image;
-  }
-  return targets.materials;
-}
-
-/// The size of the pictures in pixels. One target is given at least.
-Vec2<int> sizeOf(const RenderTargets& targets) {
-  const Image* const image = anyOf(targets);
-  const Image& given = image ? *image : *targets.samples;
-  const int zoom = image ? 1 : targets.samplesZoom;
-  return {given.Width() / zoom, given.Height() / zoom};
-}
-
-/// What the camera sees: the whole picture, which the targets may be a window of.
-PictureView viewOf(const SceneParser& scene, const PixelPlaces& places,
-                   const RenderTargets& targets) {
-  const Vec2<int> size = sizeOf(targets);
-  const PictureWindow& window = targets.window;
-  if (window.width > 0) return {*scene.getCamera(), places, window.width, window.height};
-  return {*scene.getCamera(), places, size.x(), size.y()};
-}
-
-/// True where colours come of samples, or the samples themselves are wanted.
-bool isSampled(const RenderTargets& targets, const SamplingOptions& sampling) {
-  return targets.samples || (targets.color && !sampling.isPlain());
+/// Squares of central rays, or more for samples: 32 times as long as the margin of pixels around
+/// them that are traced too, up to 128 pixels, so that the margins are few; less where so many
+/// first samples could not be kept, or where there would be too few tiles to keep all threads busy.
+Tiling tilingOf(Vec2<int> size, const Sampler& sampler, int reach, int threads) {
+  constexpr int kMostSquares = 8, kTilesPerThread = 4;
+  constexpr std::size_t kMostBytes = 32 << 20;
+  const int margin = reach + int(sampler.isAdaptive());
+  const auto isTooLarge = [&](const Tiling& tiling) {
+    const auto side = std::size_t(tiling.side + 2 * margin);
+    const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
+    const bool tooMany = sampler.isAdaptive() && samples * kBytesPerSample > kMostBytes;
+    return tooMany || tiling.count() / kTilesPerThread < threads;
+  };
+  Tiling tiling = {size.x(), size.y(), kTileSide * std::clamp(2 * margin, 2, kMostSquares)};
+  while (tiling.side > kTileSide && isTooLarge(tiling)) tiling.side -= kTileSide;
+  return tiling;
 }
 
 void set(Image* image, FloatImage* exact, Pixel at, const Vec3f& color) {
   image->setPixel(at.i, at.j, color);  // clamps
   if (exact) exact->setPixel(at.i, at.j, color);
 }
-
-/// A pixel of the whole picture where the targets hold it.
-Pixel inTargets(const RenderTargets& targets, Pixel at) {
-  return {at.i - targets.window.left, at.j - targets.window.bottom};
-}
-
-/// Once through all tiles.
-struct Pass {
-  RenderTargets targets;  // those that it fills, and no other
-  Tiling tiling;
-  double raysOfPixel;  // as many as can be foretold: what an adaptive sampler adds is not known
-  std::function<void(WaveTracer& tracer, const PixelRectangle& area)> renderTile;
-};
 
 /// 1 at depthMin, 0 at depthMax, and on beyond them; what is not hit lies infinitely far.
 Vec3f depthColor(const RenderTargets& targets, const Hit& hit) {
@@ -107,135 +81,129 @@ void setSurface(const RenderTargets& targets, const Hit& hit, Pixel at) {
   }
 }
 
-/// Every picture but that of the samples, from the rays through the pixels' centres.
-Pass centralPass(const PictureView& view, const RenderTargets& targets, Vec2<int> size,
-                 int threads) {
-  const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
-    // All memory is the arena's: that of vectors, given back and taken anew for each tile, cost a
-    // sixth of the time of a picture of three objects.
-    Arena& arena = tracer.arena();
-    const Arena::Frame frame(arena);
-    auto* samples = arena.take<Sample>(area.pixelCount());
-    int count = 0;
-    visitInOrder(area.moved(targets.window.left, targets.window.bottom), [&](Pixel at) {
-      samples[count++] = {at, {0.5, 0.5}};
-    });
-    WaveRays rays(arena, count, false);
-    setEyeRays(view, samples, count, tracer, rays);
-    HitTable hits(arena, count);
-    auto* colors = arena.take<Vec3f>(area.pixelCount());
-    targets.color ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
-    const bool hasSurfaces = targets.depth || targets.normals || targets.materials;
-    for (int k = 0; k < count; ++k) {
-      const Pixel at = inTargets(targets, samples[k].at);
-      if (targets.color) set(targets.color, targets.exactColor, at, colors[k]);
-      if (hasSurfaces) setSurface(targets, hits.hitOf(k, rays.tmax[k]), at);
+/// What the camera sees: the whole picture, which the targets may be a window of.
+PictureView viewOf(const RayTracer& tracer, const RenderTargets& targets) {
+  const PictureWindow& window = targets.window;
+  const Vec2<int> whole(window.width, window.height);
+  const Vec2<int> size = window.width > 0 ? whole : targets.size();
+  return {*tracer.scene().getCamera(), tracer.options().places, size.x(), size.y()};
+}
+
+/// What all tiles of a picture have in common. Nothing is owned.
+class Rendering {
+ public:
+  /// Tiles are small enough to be shared by `threads` threads.
+  Rendering(const RayTracer& tracer, const RenderTargets& targets, int threads)
+      : targets_(targets),
+        options_(tracer.options().sampling),
+        view_(viewOf(tracer, targets)),
+        sampler_(options_, view_.height),
+        filter_(options_),
+        isSampled_(targets.samples || (targets.color && !options_.isPlain())),
+        reach_(isSampled_ && targets.color ? filter_.getSupportRadius() : 0),
+        tiling_(tilingOf(targets.size(), sampler_, reach_, threads)) {}
+
+  const Tiling& tiling() const { return tiling_; }
+  /// As many as can be foretold: what an adaptive sampler adds is not known.
+  double raysOfPixel() const {
+    return (isSampled_ ? options_.samples : 0) + (hasCentral() ? 1 : 0);
+  }
+
+  void renderTile(WaveTracer& tracer, const PixelRectangle& area) const {
+    if (isSampled_) takeSampled(tracer, area);
+    if (!hasCentral()) return;
+    const Tiling squares = {area.width(), area.height(), kCentralSide};
+    for (int k = 0; k < squares.count(); ++k) {
+      takeCentral(tracer, squares.areaOf(k).moved(area.left, area.bottom));
     }
-  };
-  Tiling tiling = {size.x(), size.y(), kCentralSide};
-  if (tiling.count() / kTilesPerThread < threads) tiling.side = kTileSide;
-  return {targets, tiling, 1, renderTile};
-}
+  }
 
-/// Tiles for samples: 32 times as long as the margin of pixels around them that are traced too, up
-/// to 128 pixels, so that the margins are few; less where so many first samples could not be kept,
-/// or where there would be too few tiles to keep all threads busy.
-Tiling tilingOf(Vec2<int> size, const Sampler& sampler, int reach, int threads) {
-  constexpr int kMostSquares = 8;
-  constexpr std::size_t kMostBytes = 32 << 20;
-  const int margin = reach + int(sampler.isAdaptive());
-  const auto isTooLarge = [&](const Tiling& tiling) {
-    const auto side = std::size_t(tiling.side + 2 * margin);
-    const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
-    const bool tooMany = sampler.isAdaptive() && samples * kBytesPerSample > kMostBytes;
-    return tooMany || tiling.count() / kTilesPerThread < threads;
-  };
-  Tiling tiling = {size.x(), size.y(), kTileSide * std::clamp(2 * margin, 1, kMostSquares)};
-  while (tiling.side > kTileSide && isTooLarge(tiling)) tiling.side -= kTileSide;
-  return tiling;
-}
+ private:
+  bool hasSurfaces() const { return targets_.depth || targets_.normals || targets_.materials; }
+  bool hasCentral() const { return !isSampled_ || hasSurfaces(); }
+  PixelRectangle inPicture(const PixelRectangle& area) const {
+    return area.moved(targets_.window.left, targets_.window.bottom);
+  }
+  /// A pixel of the whole picture where the targets hold it.
+  Pixel inTargets(Pixel at) const {
+    return {at.i - targets_.window.left, at.j - targets_.window.bottom};
+  }
 
-/// Colours from samples, and the picture of the samples. Tiles are small enough to be shared by so
-/// many threads.
-Pass sampledPass(const PictureView& view, const RenderTargets& targets, Vec2<int> size,
-                 const SamplingOptions& options, int threads) {
-  const Sampler sampler(options, view.height);
-  const Filter filter(options);
-  const int reach = targets.color ? filter.getSupportRadius() : 0;  // of samples that count
-  const auto renderTile = [=](WaveTracer& tracer, const PixelRectangle& area) {
-    const PixelRectangle inPicture = area.moved(targets.window.left, targets.window.bottom);
-    const PixelRectangle whole = {0, 0, view.width, view.height};
-    Film film(inPicture, filter, whole);
-    if (targets.samples) drawSamplesGround(*targets.samples, targets.samplesZoom, area);
+  /// Colours from samples, and the picture of the samples.
+  void takeSampled(WaveTracer& tracer, const PixelRectangle& area) const {
+    const PixelRectangle inside = inPicture(area), whole = {0, 0, view_.width, view_.height};
+    Film film(inside, filter_, whole);
+    if (targets_.samples) drawSamplesGround(*targets_.samples, targets_.samplesZoom, area);
     const auto take = [&](const Sample& sample, const Vec3f& color, double share) {
       film.addSample(sample, color, share);
-      if (targets.samples && area.contains(sample.at)) {
-        drawSample(*targets.samples, targets.samplesZoom, sample, color);
+      if (targets_.samples && area.contains(sample.at)) {
+        drawSample(*targets_.samples, targets_.samplesZoom, sample, color);
       }
     };
-    const PixelRectangle around = inPicture.grown(reach);
-    takeSamples({view, tracer, sampler, options.tolerance},
-                options.hasBorderSamples ? around : around.within(whole), take);
-    if (!targets.color) return;
-    for (const Pixel at : pixelsInOrder(inPicture)) {
-      set(targets.color, targets.exactColor, inTargets(targets, at), film.getColor(at));
+    const PixelRectangle around = inside.grown(reach_);
+    takeSamples({view_, tracer, sampler_, options_.tolerance},
+                options_.hasBorderSamples ? around : around.within(whole), take);
+    if (!targets_.color) return;
+    for (const Pixel at : pixelsInOrder(inside)) {
+      set(targets_.color, targets_.exactColor, inTargets(at), film.getColor(at));
     }
-  };
-  const Tiling tiling = tilingOf(size, sampler, reach, threads);
-  return {targets, tiling, double(options.samples), renderTile};
+  }
+
+  /// All else, from the rays through the pixels' centres. All memory is the arena's: that of
+  /// vectors, given back and taken anew, cost a sixth of the time of a picture of three objects.
+  void takeCentral(WaveTracer& tracer, const PixelRectangle& area) const {
+    const Arena::Frame frame(tracer.arena());
+    auto* samples = tracer.arena().take<Sample>(area.pixelCount());
+    int count = 0;
+    visitInOrder(inPicture(area), [&](Pixel at) { samples[count++] = {at, {0.5, 0.5}}; });
+    const bool wantsColors = targets_.color && !isSampled_;
+    const TracedSamples traced(view_, tracer, samples, count, wantsColors);
+    for (int k = 0; k < count; ++k) {
+      const Pixel at = inTargets(samples[k].at);
+      if (wantsColors) set(targets_.color, targets_.exactColor, at, traced.colors[k]);
+      if (hasSurfaces()) setSurface(targets_, traced.hitOf(k), at);
+    }
+  }
+
+  const RenderTargets& targets_;
+  const SamplingOptions& options_;
+  const PictureView view_;
+  const Sampler sampler_;
+  const Filter filter_;
+  const bool isSampled_;  // colours come of samples, or the samples themselves are wanted
+  const int reach_;       // of samples that count
+  const Tiling tiling_;
+};
+
+}  // namespace
+
+Vec2<int> RenderTargets::size() const {
+  for (const Image* image : {color, depth, normals, materials}) {
+    if (image) return {image->Width(), image->Height()};
+  }
+  return {samples->Width() / samplesZoom, samples->Height() / samplesZoom};
 }
 
-/// One pass, or two. `threads` are those that tiles are to be small enough for.
-std::vector<Pass> passesOf(const PictureView& view, const RenderTargets& targets,
-                           const SamplingOptions& options, int threads) {
-  const Vec2<int> size = sizeOf(targets);
-  if (!isSampled(targets, options)) return {centralPass(view, targets, size, threads)};
-  RenderTargets sampled = targets, central = targets;
-  sampled.depth = sampled.normals = sampled.materials = nullptr;
-  sampled.exactDepth = sampled.exactNormals = nullptr;
-  central.color = central.samples = nullptr;
-  central.exactColor = nullptr;
-  std::vector<Pass> passes = {sampledPass(view, sampled, size, options, threads)};
-  if (anyOf(central)) passes.push_back(centralPass(view, central, size, threads));
-  return passes;
-}
-
-/// Renders all tiles of a pass but those that are stored. Each thread counts its rays, if they are
-/// to be counted, with a tracer of its own.
-void renderTiles(const Pass& pass, const RayTracer& tracer, int threads, RayCounts* counts) {
-  const RenderTargets& targets = pass.targets;
-  const RenderOptions& options = tracer.shader().options();
+/// Each thread counts its rays, if they are to be counted, with a tracer of its own.
+void render(const RayTracer& tracer, int threads, const RenderTargets& targets, RayCounts* counts) {
+  const Rendering rendering(tracer, targets, counts ? kCountedThreads : threads);
+  const Tiling& tiling = rendering.tiling();
+  const double rays = rendering.raysOfPixel();
+  if (targets.listener) targets.listener->begins(rays * tiling.width * tiling.height);
   std::mutex mutex;  // guards *counts
-  shareTiles(pass.tiling, options, threads, [&](const NextTile& next) {
+  shareTiles(tiling, tracer, threads, [&](const NextTile& next) {
     RayCounts own;
-    const WatchedTracer counting(tracer.scene(), tracer.geometry(), options, own);
+    const WatchedTracer counting(tracer, own);
     WaveTracer waves(counts ? counting : tracer, counts ? &own : nullptr);
     while (const auto area = next()) {
-      if (!targets.store || !targets.store->isFinished(targets, *area)) {
-        pass.renderTile(waves, *area);
-        if (targets.store) targets.store->finish(targets, *area);
+      if (!targets.store || !targets.store->isFinished(*area)) {
+        rendering.renderTile(waves, *area);
+        if (targets.store) targets.store->finish(*area);
       }
       if (!targets.listener) continue;
-      targets.listener->tileIsDone(*area, pass.raysOfPixel * double(area->pixelCount()));
+      targets.listener->tileIsDone(*area, rays * double(area->pixelCount()));
     }
     const std::lock_guard<std::mutex> lock(mutex);
     if (counts) counts->add(own);
   });
-}
-
-}  // namespace
-
-void render(const SceneParser& scene, const Object3D& geometry, const RenderOptions& options,
-            int threads, const RenderTargets& targets, RayCounts* counts) {
-  const RayTracer tracer(scene, geometry, options);
-  const PictureView view = viewOf(scene, options.places, targets);
-  // Rays around a tile are traced again: to count the same, tiles must have the same size.
-  const int tileThreads = counts ? kCountedThreads : threads;
-  const std::vector<Pass> passes = passesOf(view, targets, options.sampling, tileThreads);
-  double eyeRays = 0;
-  for (const Pass& pass : passes) {
-    eyeRays += double(pass.tiling.width) * pass.tiling.height * pass.raysOfPixel;
-  }
-  if (targets.listener) targets.listener->begins(eyeRays);
-  for (const Pass& pass : passes) renderTiles(pass, tracer, threads, counts);
 }

@@ -30,15 +30,10 @@ void traceSamples(const SampleSource& source, const std::vector<Pixel>& pixels, 
                   const SampleReceiver& receiver) {
   std::vector<Sample> samples;
   const auto traceTogether = [&] {
-    Arena& arena = source.tracer.arena();
-    const Arena::Frame frame(arena);
-    const int count = int(samples.size());
-    WaveRays rays(arena, count, false);
-    setEyeRays(source.view, samples.data(), count, source.tracer, rays);
-    HitTable hits(arena, count);
-    auto* colors = arena.take<Vec3f>(samples.size());
-    source.tracer.trace(rays, 0, hits, colors);
-    for (int k = 0; k < count; ++k) receiver(samples[std::size_t(k)], colors[k], 1);
+    const Arena::Frame frame(source.tracer.arena());
+    const TracedSamples traced(source.view, source.tracer, samples.data(), int(samples.size()),
+                               true);
+    for (std::size_t k = 0; k < samples.size(); ++k) receiver(samples[k], traced.colors[k], 1);
     samples.clear();
   };
   samples.reserve(std::size_t(RayTable::kMost));
@@ -152,12 +147,20 @@ PictureView::PictureView(const Camera& ofCamera, const PixelPlaces& places, int 
   unit_ = {unitOf(width), unitOf(height)};
 }
 
-void setEyeRays(const PictureView& view, const Sample* samples, int count, WaveTracer& tracer,
-                WaveRays& rays) {
+TracedSamples::TracedSamples(const PictureView& view, WaveTracer& tracer, const Sample* samples,
+                             int count, bool wantsColors)
+    : rays(tracer.arena(), count, false), hits(tracer.arena(), count) {
+  rays.count = count;
+  setEyeRays(view, tracer, samples);
+  colors = tracer.arena().take<Vec3f>(std::size_t(count));
+  wantsColors ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
+}
+
+void TracedSamples::setEyeRays(const PictureView& view, WaveTracer& tracer, const Sample* samples) {
   const Arena::Frame frame(tracer.arena());
-  auto* x = tracer.arena().take<double>(std::size_t(count));
-  auto* y = tracer.arena().take<double>(std::size_t(count));
-  for (int k = 0; k < count; ++k) {
+  auto* x = tracer.arena().take<double>(std::size_t(rays.count));
+  auto* y = tracer.arena().take<double>(std::size_t(rays.count));
+  for (int k = 0; k < rays.count; ++k) {
     const Vec2d point = view.pointOf(samples[k]);
     x[k] = point.x();
     y[k] = point.y();
@@ -165,10 +168,9 @@ void setEyeRays(const PictureView& view, const Sample* samples, int count, WaveT
     rays.tmax[k] = Hit().getT();
     rays.weight[k] = 1;
   }
-  rays.count = count;
   EyeFrame eye;
-  if (toNumbers(view.camera, eye)) return tracer.kernels().eyeRays(eye, x, y, count, rays);
-  for (int k = 0; k < count; ++k) {
+  if (toNumbers(view.camera, eye)) return tracer.kernels().eyeRays(eye, x, y, rays.count, rays);
+  for (int k = 0; k < rays.count; ++k) {
     rays.setRow(k, view.camera.generateRay({x[k], y[k]}), rays.tmin[k], rays.tmax[k]);
   }
 }

@@ -32,9 +32,20 @@ class PictureView {
   Vec2d unit_;    // how many pixels are 1 long
 };
 
-/// Fills `rays`, which has room for them, with the eye rays of `count` samples, for `tracer`.
-void setEyeRays(const PictureView& view, const Sample* samples, int count, WaveTracer& tracer,
-                WaveRays& rays);
+/// The eye rays of some samples, at most RayTable::kMost, and what they have met. All memory is
+/// that of the tracer's arena.
+struct TracedSamples {
+  WaveRays rays;
+  HitTable hits;
+  Vec3f* colors;  ///< where wanted
+
+  TracedSamples(const PictureView& view, WaveTracer& tracer, const Sample* samples, int count,
+                bool wantsColors);
+  Hit hitOf(int row) const { return hits.hitOf(row, rays.tmax[row]); }
+
+ private:
+  void setEyeRays(const PictureView& view, WaveTracer& tracer, const Sample* samples);
+};
 
 /// The colour of one sample, its rays traced one after the other: for those who watch the tracer.
 Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample);

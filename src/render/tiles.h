@@ -1,5 +1,5 @@
-// Tiles: a picture is cut into squares, which threads take one by one, so that none of them waits
-// for another's slow one.
+// Tiles: the squares of a picture, which threads take one by one, so that none of them waits for
+// another's slow one.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -15,20 +15,6 @@
 /// others.
 inline constexpr int kTileSide = TileStore::kSide;
 
-/// A picture of width x height pixels in squares of `side`, those at its right and upper edge
-/// perhaps cut off.
-struct Tiling {
-  int width, height, side;
-
-  int columns() const { return (width + side - 1) / side; }
-  int count() const { return columns() * ((height + side - 1) / side); }
-  /// The pixels of a tile, 0 <= tile < count(): row by row from the lowest.
-  PixelRectangle areaOf(int tile) const {
-    const int left = tile % columns() * side, bottom = tile / columns() * side;
-    return {left, bottom, std::min(left + side, width), std::min(bottom + side, height)};
-  }
-};
-
 /// The next tile that nobody has taken; none at the end. Any thread may ask at any time.
 using NextTile = std::function<std::optional<PixelRectangle>()>;
 
@@ -42,7 +28,7 @@ inline std::size_t tracingStack(const RenderOptions& options) {
 
 /// Calls work(next) on at most `threads` >= 1 threads, which have stack enough to trace rays; each
 /// is to work on the tiles that it takes until there are no more. Throws what any of them throws.
-inline void shareTiles(const Tiling& tiling, const RenderOptions& options, int threads,
+inline void shareTiles(const Tiling& tiling, const RayTracer& tracer, int threads,
                        const std::function<void(const NextTile& next)>& work) {
   std::atomic<int> taken{0};
   const NextTile next = [&]() -> std::optional<PixelRectangle> {
@@ -50,5 +36,6 @@ inline void shareTiles(const Tiling& tiling, const RenderOptions& options, int t
     if (tile >= tiling.count()) return std::nullopt;
     return tiling.areaOf(tile);
   };
-  runOnThreads(std::min(threads, tiling.count()), tracingStack(options), [&](int) { work(next); });
+  const std::size_t stack = tracingStack(tracer.options());
+  runOnThreads(std::min(threads, tiling.count()), stack, [&](int) { work(next); });
 }

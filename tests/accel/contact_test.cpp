@@ -73,7 +73,7 @@ std::string picture(const SceneParser& scene, const Object3D& geometry) {
   Image image(64, 64);
   RenderTargets targets;
   targets.color = &image;
-  render(scene, geometry, adaptive(), 2, targets);
+  render(RayTracer(scene, geometry, adaptive()), 2, targets);
   std::string bytes;
   for (int j = 0; j < 64; ++j) {
     for (int i = 0; i < 64; ++i) {

@@ -142,7 +142,7 @@ void measurePhases(const std::string& scene, const std::string& image, int side,
                 [&] {
                   RenderTargets targets;
                   targets.color = &picture;
-                  render(*parser, *compiled, RenderOptions(), threads, targets);
+                  render(RayTracer(*parser, *compiled, RenderOptions()), threads, targets);
                 }),
       secondsOf(Clock::wall, 1, [&] { writePicture(picture, image); })};
   std::printf("%.6f %.6f %.6f %.6f\n", phases[0], phases[1], phases[2], phases[3]);

@@ -13,7 +13,7 @@ namespace {
 using check::contentOf;
 
 constexpr int kWidth = 40, kHeight = 25, kZoom = 2;  // 3 x 2 tiles of 16 pixels
-constexpr std::size_t kHeader = 96, kHead = 12, kSum = 32;
+constexpr std::size_t kHeader = 96, kHead = 8, kSum = 32;
 
 Digest fingerprint(std::uint8_t value) {
   Digest digest;
@@ -46,15 +46,10 @@ struct Pictures {
     all.samplesZoom = kZoom;
     return all;
   }
-  RenderTargets ofSamples() {
-    RenderTargets some = targets();
-    some.depth = some.normals = nullptr;
-    return some;
-  }
-  RenderTargets ofCenters() {
-    RenderTargets some = targets();
-    some.color = some.samples = nullptr;
-    return some;
+  RenderTargets colorAlone() {
+    RenderTargets one;
+    one.color = &color;
+    return one;
   }
 };
 
@@ -87,14 +82,9 @@ Found compare(const Image& image, const Image& expected, const PixelRectangle& a
 struct Kept : check::ScratchFolder {
   Kept() {
     painted.paint();
-    Checkpoint checkpoint(name, fingerprint(1), painted.targets());
-    for (const PixelRectangle& tile : tiles()) checkpoint.finish(colorOf(painted), tile);
+    Checkpoint checkpoint(name, fingerprint(1), painted.colorAlone());
+    for (const PixelRectangle& tile : tiles()) checkpoint.finish(tile);
     bytes = contentOf(name);
-  }
-  static RenderTargets colorOf(Pictures& pictures) {
-    RenderTargets color;
-    color.color = &pictures.color;
-    return color;
   }
 
   const std::string name = file("c");
@@ -106,13 +96,12 @@ struct Kept : check::ScratchFolder {
 /// neither whole nor missing, or isFinished says the contrary.
 int countWhole(Kept& kept, const std::string& name) {
   Pictures pictures;
-  const RenderTargets color = Kept::colorOf(pictures);
-  const Checkpoint checkpoint(name, fingerprint(1), pictures.targets());
+  const Checkpoint checkpoint(name, fingerprint(1), pictures.colorAlone());
   int whole = 0;
   for (const PixelRectangle& tile : tiles()) {
     const Found found = compare(pictures.color, kept.painted.color, tile, 1);
     if (found == Found::wrong) return -1;
-    if (checkpoint.isFinished(color, tile) != (found == Found::whole)) return -1;
+    if (checkpoint.isFinished(tile) != (found == Found::whole)) return -1;
     whole += found == Found::whole;
   }
   return whole;
@@ -120,7 +109,7 @@ int countWhole(Kept& kept, const std::string& name) {
 
 }  // namespace
 
-TEST("tiles of all pictures come back, those of one pass without the other's") {
+TEST("tiles come back in all pictures") {
   const check::ScratchFolder folder;
   Pictures painted, pictures;
   painted.paint();
@@ -128,28 +117,23 @@ TEST("tiles of all pictures come back, those of one pass without the other's") {
   {
     Checkpoint checkpoint(folder.file("c"), fingerprint(1), painted.targets());
     CHECK_EQUAL(checkpoint.foundShare(), 0.0);
-    checkpoint.finish(painted.ofSamples(), all[0]);
-    checkpoint.finish(painted.ofSamples(), {16, 0, 40, 25});  // four tiles at once
-    checkpoint.finish(painted.ofCenters(), all[3]);
-    CHECK(!checkpoint.isFinished(painted.ofSamples(), all[0]));  // it tells what it has found
+    checkpoint.finish(all[0]);
+    checkpoint.finish({16, 0, 40, 25});     // four tiles at once
+    CHECK(!checkpoint.isFinished(all[0]));  // it tells what it has found
   }
   const Checkpoint checkpoint(folder.file("c"), fingerprint(1), pictures.targets());
   CHECK(!checkpoint.wasDamaged());
-  // Of 4 pictures of 6 tiles: 5 tiles of two pictures and 1 of two.
-  CHECK_NEAR(checkpoint.foundShare(), 12 / 24.0, 1e-12);
+  CHECK_NEAR(checkpoint.foundShare(), 5 / 6.0, 1e-12);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Found samples = i == 3 ? Found::missing : Found::whole;
-    const Found centers = i == 3 ? Found::whole : Found::missing;
-    CHECK(compare(pictures.color, painted.color, all[i], 1) == samples);
-    CHECK(compare(pictures.samples, painted.samples, all[i], kZoom) == samples);
-    CHECK(compare(pictures.depth, painted.depth, all[i], 1) == centers);
-    CHECK(compare(pictures.normals, painted.normals, all[i], 1) == centers);
-    CHECK_EQUAL(checkpoint.isFinished(pictures.ofSamples(), all[i]), i != 3);
-    CHECK_EQUAL(checkpoint.isFinished(pictures.ofCenters(), all[i]), i == 3);
+    const Found expected = i == 3 ? Found::missing : Found::whole;
+    CHECK(compare(pictures.color, painted.color, all[i], 1) == expected);
+    CHECK(compare(pictures.samples, painted.samples, all[i], kZoom) == expected);
+    CHECK(compare(pictures.depth, painted.depth, all[i], 1) == expected);
+    CHECK(compare(pictures.normals, painted.normals, all[i], 1) == expected);
+    CHECK_EQUAL(checkpoint.isFinished(all[i]), i != 3);
   }
-  CHECK(checkpoint.isFinished(pictures.ofSamples(), {16, 0, 40, 16}));
-  CHECK(!checkpoint.isFinished(pictures.ofSamples(), {0, 0, 40, 25}));
-  CHECK(!checkpoint.isFinished(pictures.targets(), all[0]));
+  CHECK(checkpoint.isFinished({16, 0, 40, 16}));
+  CHECK(!checkpoint.isFinished({0, 0, 40, 25}));
 }
 
 TEST("a finished tile is saved at once, and so is the next one") {
@@ -160,8 +144,8 @@ TEST("a finished tile is saved at once, and so is the next one") {
   std::size_t size = kHeader;
   for (const PixelRectangle& tile : tiles()) {
     CHECK_EQUAL(contentOf(folder.file("c")).size(), size);
-    checkpoint.finish(painted.ofCenters(), tile);
-    size += kHead + 2 * 3 * tile.pixelCount() + kSum;
+    checkpoint.finish(tile);
+    size += kHead + 3 * (3 + kZoom * kZoom) * tile.pixelCount() + kSum;
   }
   CHECK_EQUAL(contentOf(folder.file("c")).size(), size);
 }
@@ -209,13 +193,11 @@ TEST("bytes put in, taken out, or doubled do no harm to other tiles") {
   }
 }
 
-TEST("records that lie are passed over: tiles outside, of no picture, of one that is not wanted") {
+TEST("records that lie are passed over: tiles outside of the picture") {
   Kept kept;
-  const auto countWith = [&](std::uint32_t tile, std::uint32_t pictures) {
+  const auto countWith = [&](std::uint32_t tile) {
     std::string record = "Tile";
-    for (const std::uint32_t number : {tile, pictures}) {
-      for (int i = 0; i < 4; ++i) record += char(number >> (8 * i) & 255);
-    }
+    for (int i = 0; i < 4; ++i) record += char(tile >> (8 * i) & 255);
     record += std::string(3 * 256, '\0');  // black pixels
     Sha256 sum;
     sum.add(kept.bytes.substr(32, 32));  // the fingerprint
@@ -225,10 +207,8 @@ TEST("records that lie are passed over: tiles outside, of no picture, of one tha
     CHECK_EQUAL(record.size(), kHead + 3 * 256 + kSum);
     return countWhole(kept, kept.write("lies", kept.bytes.substr(0, kHeader) + record));
   };
-  const std::uint32_t lies[][2] = {{6, 1},  {7, 1},  {1u << 30, 1}, {0xffffffff, 1}, {0, 0},
-                                   {0, 16}, {0, 17}, {0, 128},      {0, 1u << 31}};
-  for (const auto& [tile, pictures] : lies) CHECK_EQUAL(countWith(tile, pictures), 0);
-  CHECK_EQUAL(countWith(0, 1), -1);  // no lie, and so taken, although it is black
+  for (const std::uint32_t lie : {6u, 7u, 1u << 30, 0xffffffffu}) CHECK_EQUAL(countWith(lie), 0);
+  CHECK_EQUAL(countWith(0), -1);  // no lie, and so taken, although it is black
 }
 
 TEST("a checkpoint of another picture, or what is none, is refused and stays as it is") {
@@ -237,7 +217,7 @@ TEST("a checkpoint of another picture, or what is none, is refused and stays as 
   const auto refused = [&](const std::string& name, std::uint8_t value) {
     const std::string before = contentOf(name);
     try {
-      const Checkpoint checkpoint(name, fingerprint(value), pictures.targets());
+      const Checkpoint checkpoint(name, fingerprint(value), pictures.colorAlone());
     } catch (const UsageError&) {
       return contentOf(name) == before;
     }
@@ -248,7 +228,7 @@ TEST("a checkpoint of another picture, or what is none, is refused and stays as 
   CHECK(refused(kept.write("scene.txt", check::smallScene()), 1));
   CHECK(refused(kept.write("zeros", std::string(5000, '\0')), 1));
   std::string older = kept.bytes;
-  older[older.find('2')] = '1';  // in the title; its fingerprint was another one too
+  older[older.find('3')] = '2';  // in the title; its fingerprint was another one too
   older[40] = char(older[40] ^ 1);
   CHECK(refused(kept.write("older", older), 1));
   CHECK(refused("/dev/null", 1));
@@ -259,7 +239,7 @@ TEST("a checkpoint of another picture, or what is none, is refused and stays as 
 TEST("one run has the file alone, from its opening to its removal") {
   Kept kept;
   Pictures pictures;
-  Checkpoint first(kept.name, fingerprint(1), pictures.targets());
+  Checkpoint first(kept.name, fingerprint(1), pictures.colorAlone());
   CHECK_THROWS(Checkpoint(kept.name, fingerprint(1), pictures.targets()), OutputError);
   CHECK_EQUAL(contentOf(kept.name), kept.bytes);
   first.remove();

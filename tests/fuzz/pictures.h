@@ -36,7 +36,7 @@ inline Bytes pictures(const SceneParser& scene, const Object3D& geometry,
   targets.depth = &depth;
   targets.normals = &normals;
   targets.depthMax = 10;
-  render(scene, geometry, options, 1, targets);
+  render(RayTracer(scene, geometry, options), 1, targets);
   Bytes all;
   for (const Image* image : {&color, &depth, &normals}) {
     const Bytes bytes = encodePicture(*image, PictureFormat::tga);

@@ -42,7 +42,7 @@ std::string picture(const SceneParser& scene, const Object3D& geometry,
   Image image(40, 40);
   RenderTargets targets;
   targets.color = &image;
-  render(scene, geometry, options, threads, targets);
+  render(RayTracer(scene, geometry, options), threads, targets);
   return bytesOf(image);
 }
 

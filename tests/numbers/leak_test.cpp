@@ -145,7 +145,7 @@ int brightPixels(const SceneParser& scene) {
   Image image(48, 48);
   RenderTargets targets;
   targets.color = &image;
-  render(scene, CompiledScene(*scene.getGroup(), 2), options, 2, targets);
+  render(RayTracer(scene, CompiledScene(*scene.getGroup(), 2), options), 2, targets);
   int bright = 0;
   for (int i = 0; i < 48 * 48; ++i) bright += image.getPixel(i % 48, i / 48) != Rgb8();
   return bright;

@@ -44,7 +44,7 @@ struct Pictures {
     targets.normals = &normals;
     targets.depthMin = setup.depthMin;
     targets.depthMax = setup.depthMax;
-    render(scene, CompiledScene(*scene.getGroup(), 2), setup.options, 2, targets);
+    render(RayTracer(scene, CompiledScene(*scene.getGroup(), 2), setup.options), 2, targets);
   }
 };
 

@@ -54,7 +54,7 @@ std::vector<Image> picturesOf(const SceneParser& scene, const Object3D& geometry
   targets.normals = &images[1];
   RenderOptions options;
   options.shadows = true;
-  render(scene, geometry, options, 1, targets);
+  render(RayTracer(scene, geometry, options), 1, targets);
   return images;
 }
 

@@ -232,7 +232,7 @@ TEST("a white ball of index 1 vanishes to the last byte") {
     Image image(40, 40);
     RenderTargets targets;
     targets.color = &image;
-    render(scene, *scene.getGroup(), options, 1, targets);
+    render(RayTracer(scene, *scene.getGroup(), options), 1, targets);
     return image;
   };
   const Image empty = picture(0, false);

@@ -31,7 +31,7 @@ std::vector<Image> picturesOf(const SceneParser& scene, const Object3D& geometry
   targets.depth = &images[1];
   targets.normals = &images[2];
   targets.depthMax = 20;
-  render(scene, geometry, options, 2, targets);
+  render(RayTracer(scene, geometry, options), 2, targets);
   return images;
 }
 

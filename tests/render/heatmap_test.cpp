@@ -45,18 +45,19 @@ TEST("every ray of a pixel counts, shadow rays too") {
   // Three rays, to the first mirror, to the second, to the first; only that one faces the lamp, and
   // is asked for twice: 5 rays.
   const SceneParser scene = scene_text::parse(kFacingMirrors);
-  const auto counts = countRays(scene, *scene.getGroup(), scene_text::bouncing(2), 1, 3, 2);
+  const auto counts =
+      countRays(RayTracer(scene, *scene.getGroup(), scene_text::bouncing(2)), 1, 3, 2);
   CHECK_EQUAL(counts.size(), std::size_t(6));
   for (const std::uint32_t count : counts) CHECK_EQUAL(count, 5u);
   RenderOptions dark = scene_text::bouncing(2);
   dark.shadows = false;
-  for (const std::uint32_t count : countRays(scene, *scene.getGroup(), dark, 1, 3, 2))
+  for (const std::uint32_t count : countRays(RayTracer(scene, *scene.getGroup(), dark), 1, 3, 2))
     CHECK_EQUAL(count, 3u);
   // Four samples, each like that; a filter that looks at the neighbours changes nothing.
   RenderOptions sampled = sampledBy(Pattern::jittered);
   sampled.maxBounces = 2;
   sampled.sampling.filterSize = 3;
-  for (const std::uint32_t count : countRays(scene, *scene.getGroup(), sampled, 1, 3, 2))
+  for (const std::uint32_t count : countRays(RayTracer(scene, *scene.getGroup(), sampled), 1, 3, 2))
     CHECK_EQUAL(count, 20u);
 }
 
@@ -65,8 +66,8 @@ TEST("the counts are the same for any number of threads, compiled or not") {
   const CompiledScene compiled(*scene.getGroup(), 1);
   for (const Pattern pattern : {Pattern::center, Pattern::random, Pattern::adaptive}) {
     const RenderOptions options = sampledBy(pattern);
-    const auto counts = countRays(scene, *scene.getGroup(), options, 1, 50, 40);
-    CHECK(counts == countRays(scene, compiled, options, 3, 50, 40));
+    const auto counts = countRays(RayTracer(scene, *scene.getGroup(), options), 1, 50, 40);
+    CHECK(counts == countRays(RayTracer(scene, compiled, options), 3, 50, 40));
     CHECK(*std::max_element(counts.begin(), counts.end()) > 20);
   }
 }
@@ -75,12 +76,13 @@ TEST("all pixels together take as many rays as are counted for the picture") {
   const SceneParser scene = scene_text::parse(kGlassAndMirror);
   for (const Pattern pattern : {Pattern::center, Pattern::jittered}) {
     const RenderOptions options = sampledBy(pattern);
-    const auto counts = countRays(scene, *scene.getGroup(), options, 2, 50, 40);
+    const RayTracer tracer(scene, *scene.getGroup(), options);
+    const auto counts = countRays(tracer, 2, 50, 40);
     Image image(50, 40);
     RenderTargets targets;
     targets.color = &image;
     RayCounts rays;
-    render(scene, *scene.getGroup(), options, 1, targets, &rays);
+    render(tracer, 1, targets, &rays);
     CHECK_EQUAL(std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)), rays.total());
   }
 }
@@ -89,7 +91,8 @@ TEST("pixels whose colours differ take more rays under adaptive samples") {
   const SceneParser scene = scene_text::parse(
       "Materials { numMaterials 1 PhongMaterial { } }\n"
       "Group { numObjects 1 MaterialIndex 0 Sphere { center 0 0 0 radius 0.7 } }\n");
-  const auto counts = countRays(scene, *scene.getGroup(), sampledBy(Pattern::adaptive), 2, 40, 40);
+  const RayTracer tracer(scene, *scene.getGroup(), sampledBy(Pattern::adaptive));
+  const auto counts = countRays(tracer, 2, 40, 40);
   // White without a lamp: one ray for each sample, 4 where all is alike, 16 at the edge.
   CHECK_EQUAL(counts[0], 4u);
   CHECK_EQUAL(counts[20 * 40 + 20], 4u);

@@ -43,7 +43,7 @@ TEST("the picture shows each surface in its material's colour, and nothing in bl
   Image picture(30, 30);
   RenderTargets targets;
   targets.materials = &picture;
-  render(scene, *scene.getGroup(), {}, 2, targets);
+  render(RayTracer(scene, *scene.getGroup(), {}), 2, targets);
   // At distance 5 the picture is 2 * 5 * tan(15 degrees) = 2.7 wide: x = -0.5 is at
   // (0.5 - 0.5 / 2.7) * 30 = 9.4, x = 0.5 at 20.6.
   CHECK_EQUAL(packed(picture.getPixel(9, 15)), 0x00ff00u);
@@ -56,7 +56,7 @@ TEST("the picture shows each surface in its material's colour, and nothing in bl
   RenderOptions options;
   options.sampling.pattern = SamplingOptions::Pattern::jittered;
   options.sampling.samples = 4;
-  render(scene, *scene.getGroup(), options, 2, targets);
+  render(RayTracer(scene, *scene.getGroup(), options), 2, targets);
   for (int j = 0; j < 30; ++j) {
     for (int i = 0; i < 30; ++i) CHECK(sampled.getPixel(i, j) == picture.getPixel(i, j));
   }

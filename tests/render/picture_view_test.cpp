@@ -101,18 +101,18 @@ TEST("all that sends rays through pixels keeps to these places") {
                {kStretched, -0.45, 2}, {kCorners, -0.55, 2}, {kCorners, -0.25, 2}};
   for (const auto& [places, edge, covered] : cases) {
     const SceneParser scene = litLeftOf(edge);
-    const Object3D& geometry = *scene.getGroup();
     RenderOptions options;
     options.places = places;
+    const RayTracer tracer(scene, *scene.getGroup(), options);
     const Image picture = sampling::renderColor(scene, 5, 1, options);
     // What is hit asks for the lamp, by a second ray.
-    const auto rays = countRays(scene, geometry, options, 1, 5, 1);
+    const auto rays = countRays(tracer, 1, 5, 1);
     for (std::uint32_t i = 0; i < 5; ++i) {
       const bool isHit = i < covered;
       CHECK_EQUAL(picture.getPixel(int(i), 0) != Rgb8(), isHit);
       CHECK_EQUAL(rays[i], isHit ? 2u : 1u);
-      RayLines lines(geometry, options, 1);
-      const Vec3f color = tracePixel(scene, geometry, options, {int(i), 0, 5, 1}, {&lines});
+      RayLines lines(tracer, 1);
+      const Vec3f color = tracePixel(tracer, {int(i), 0, 5, 1}, {&lines});
       CHECK_EQUAL(color != Vec3f(), isHit);
       CHECK_EQUAL(lines.obj().find("shadow_lit") != std::string::npos, isHit);
     }

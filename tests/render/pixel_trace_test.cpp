@@ -32,19 +32,18 @@ struct LastColor : RayObserver {
 void compare(const RenderOptions& options) {
   SceneParser scene = scene_text::parse(kScene);
   scene.findSolids();
-  const Object3D& geometry = *scene.getGroup();
+  const RayTracer tracer(scene, *scene.getGroup(), options);
   Image image(kWidth, kHeight);
   FloatImage exact(kWidth, kHeight);
   RenderTargets targets;
   targets.color = &image;
   targets.exactColor = &exact;
-  render(scene, geometry, options, 2, targets);
+  render(tracer, 2, targets);
   int different = 0;
   for (int j = 0; j < kHeight; ++j) {
     for (int i = 0; i < kWidth; ++i) {
       LastColor first, second;
-      const Vec3f color =
-          tracePixel(scene, geometry, options, {i, j, kWidth, kHeight}, {&first, &second});
+      const Vec3f color = tracePixel(tracer, {i, j, kWidth, kHeight}, {&first, &second});
       different += color != exact.getPixel(i, j);
       if (options.sampling.isPlain()) CHECK(first.color == color && second.color == color);
     }
@@ -86,6 +85,7 @@ TEST("a pixel can be traced as deep as the most bounces allow") {
     void rayBegins(RayKind, int bounces, const TracedRay&) override { most = bounces; }
     int most = 0;
   } depth;
-  tracePixel(scene, *scene.getGroup(), scene_text::bouncing(kMaxBounces), {0, 0, 1, 1}, {&depth});
+  tracePixel(RayTracer(scene, *scene.getGroup(), scene_text::bouncing(kMaxBounces)), {0, 0, 1, 1},
+             {&depth});
   CHECK_EQUAL(depth.most, kMaxBounces);
 }

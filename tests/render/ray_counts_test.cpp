@@ -60,7 +60,7 @@ std::string logOf(const std::string& sceneText, const Ray& eyeRay,
                   const RenderOptions& options = {}) {
   const SceneParser scene = scene_text::parse(sceneText);
   Log log;
-  const WatchedTracer tracer(scene, *scene.getGroup(), options, log);
+  const WatchedTracer tracer(RayTracer(scene, *scene.getGroup(), options), log);
   Ray ray = eyeRay;
   Hit hit;
   const Vec3f color = tracer.traceRay(ray, 0, 0, 1, 1, hit);
@@ -81,7 +81,7 @@ Counted render(const SceneParser& scene, const Object3D& geometry, int threads,
   counted.image = Image(width, height);
   RenderTargets targets;
   targets.color = &counted.image;
-  render(scene, geometry, options, threads, targets, &counted.rays);
+  render(RayTracer(scene, geometry, options), threads, targets, &counted.rays);
   return counted;
 }
 
@@ -184,7 +184,7 @@ TEST("counts are the same for any number of threads, compiled or not, and change
     Image unwatched(40, 30);
     RenderTargets targets;
     targets.color = &unwatched;
-    render(scene, compiled, options, 1, targets);
+    render(RayTracer(scene, compiled, options), 1, targets);
     for (int i = 0; i < 40 * 30; ++i) {
       CHECK(unwatched.getPixel(i % 40, i / 40) == one.image.getPixel(i % 40, i / 40));
     }
@@ -206,11 +206,9 @@ TEST("several samples in a pixel under a filter are counted alike by any number 
 
 TEST("rays that are traced one by one are counted as those of a batch") {
   const SceneParser scene((check::testsFolder() + "/../scenes/17_gem.txt").c_str());
-  const Object3D& geometry = *scene.getGroup();
-  const RenderOptions options = scene_text::bouncing(4);
   RayCounts single, batch;
-  const WatchedTracer singleTracer(scene, geometry, options, single);
-  const WatchedTracer batchTracer(scene, geometry, options, batch);
+  const RayTracer tracer(scene, *scene.getGroup(), scene_text::bouncing(4));
+  const WatchedTracer singleTracer(tracer, single), batchTracer(tracer, batch);
   std::vector<Ray> rays;
   for (int i = 0; i < 64; ++i) {
     const Ray ray = scene.getCamera()->generateRay({(i % 8 - 3.5) / 16, (i / 8 - 3.5) / 16});

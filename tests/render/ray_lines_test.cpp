@@ -9,10 +9,11 @@ namespace {
 std::string objOf(const std::string& sceneText, const Ray& eyeRay, double tmin,
                   const RenderOptions& options) {
   const SceneParser scene = scene_text::parse(sceneText);
-  RayLines lines(*scene.getGroup(), options, 20);
+  const RayTracer tracer(scene, *scene.getGroup(), options);
+  RayLines lines(tracer, 20);
   Ray ray = eyeRay;
   Hit hit;
-  WatchedTracer(scene, *scene.getGroup(), options, lines).traceRay(ray, float(tmin), 0, 1, 1, hit);
+  WatchedTracer(tracer, lines).traceRay(ray, float(tmin), 0, 1, 1, hit);
   return lines.obj();
 }
 

@@ -16,12 +16,12 @@ std::string reportOf(const std::string& text, const RenderOptions& options = {})
   scene.findSolids();
   const SceneNames names(scene, places);
   std::string report;
-  const Object3D& geometry = *scene.getGroup();
+  const RayTracer tracer(scene, *scene.getGroup(), options);
   const auto observer =
-      makeRayReport(names, geometry, options, [&](const std::string& line) { report += line; });
+      makeRayReport(tracer, names, [&](const std::string& line) { report += line; });
   Ray ray({0, 0, 5}, {0, 0, -1});
   Hit hit;
-  WatchedTracer(scene, geometry, options, *observer).traceRay(ray, 0, 0, 1, 1, hit);
+  WatchedTracer(tracer, *observer).traceRay(ray, 0, 0, 1, 1, hit);
   for (std::size_t at; (at = report.find(path)) != std::string::npos;) {
     report.replace(at, path.size(), "FILE");
   }

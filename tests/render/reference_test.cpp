@@ -82,7 +82,7 @@ Image renderRow(const Row& row, int width, int height) {
   (row.kind == Kind::depth     ? targets.depth
    : row.kind == Kind::normals ? targets.normals
                                : targets.color) = &image;
-  render(scene, *scene.getGroup(), options, 2, targets);
+  render(RayTracer(scene, *scene.getGroup(), options), 2, targets);
   return image;
 }
 

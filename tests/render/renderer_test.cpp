@@ -33,7 +33,7 @@ Image renderColor(const SceneParser& scene, int width, int height, int threads =
   Image image(width, height);
   RenderTargets targets;
   targets.color = &image;
-  render(scene, *scene.getGroup(), RenderOptions(), threads, targets);
+  render(RayTracer(scene, *scene.getGroup(), RenderOptions()), threads, targets);
   return image;
 }
 
@@ -130,7 +130,7 @@ TEST("depth is white at MIN, black at MAX, truncated between, black on a miss") 
   targets.depth = &depth;
   targets.depthMin = 2;
   targets.depthMax = 10;
-  render(scene, *scene.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(scene, *scene.getGroup(), RenderOptions()), 1, targets);
   // (10 - t) / 8 x 255: above 255, 159.4, 47.8, 0, below 0, none.
   const int expected[6] = {255, 159, 47, 0, 0, 0};
   for (int x = 0; x < 6; ++x) {
@@ -146,7 +146,7 @@ TEST("depth with MIN beyond MAX is turned round") {
   targets.depth = &depth;
   targets.depthMin = 9;
   targets.depthMax = 4;
-  render(scene, *scene.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(scene, *scene.getGroup(), RenderOptions()), 1, targets);
   // (4 - 5) / (4 - 9) = 0.2: 51 less rounding.
   CHECK_NEAR(depth.getPixel(0, 0).r, 51, 1);
   CHECK_EQUAL(depth.getPixel(1, 0), Rgb8());  // a miss is black all the same
@@ -164,7 +164,7 @@ TEST("depth counts along the unit ray, not along the camera's axis") {
   targets.depth = &depth;
   targets.depthMin = 0;
   targets.depthMax = 8;
-  render(scene, *scene.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(scene, *scene.getGroup(), RenderOptions()), 1, targets);
   CHECK_EQUAL(int(depth.getPixel(1, 0).r), 112);
   CHECK_EQUAL(int(depth.getPixel(0, 0).r), 112);
 }
@@ -175,20 +175,20 @@ TEST("the normal image holds absolute components in world space, black on a miss
   Image normals(2, 1);
   RenderTargets targets;
   targets.normals = &normals;
-  render(sphere, *sphere.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(sphere, *sphere.getGroup(), RenderOptions()), 1, targets);
   CHECK_EQUAL(normals.getPixel(1, 0), (Rgb8{0, 153, 204}));  // 0.6 x 255 and 0.8 x 255
   const SceneParser plane = whiteShapes(
       2, 1, "Transform { XRotate 180 YRotate 53.13010235415598 Plane { normal 0 0 1 offset 0 } }");
   Image turned(2, 1);
   targets.normals = &turned;
-  render(plane, *plane.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(plane, *plane.getGroup(), RenderOptions()), 1, targets);
   CHECK_NEAR(turned.getPixel(0, 0).r, 204, 1);  // sin 53.13 = 0.8, and its sign is dropped
   CHECK_NEAR(turned.getPixel(0, 0).b, 153, 1);
   const SceneParser nothing = whiteShapes(2, 1, ballAt(50, 50));
   Image missed(2, 1);
   missed.setAllPixels({1, 1, 1});
   targets.normals = &missed;
-  render(nothing, *nothing.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(nothing, *nothing.getGroup(), RenderOptions()), 1, targets);
   CHECK_EQUAL(missed.getPixel(0, 0), Rgb8());
 }
 
@@ -201,7 +201,7 @@ TEST("signed normals are (n + 1) / 2, and 1/2 on a miss") {
   targets.exactNormals = &exact;
   targets.hasSignedNormals = true;
   // The sphere is hit at height -0.28, where its normal is (0, -0.28, 0.96).
-  render(sphere, *sphere.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(sphere, *sphere.getGroup(), RenderOptions()), 1, targets);
   CHECK_EQUAL(normals.getPixel(1, 0), (Rgb8{127, 91, 249}));  // 0.36 and 0.98
   CHECK_EQUAL(normals.getPixel(0, 0), (Rgb8{127, 127, 127}));
   CHECK_EQUAL(exact.getPixel(0, 0), Vec3f(0.5f, 0.5f, 0.5f));
@@ -224,7 +224,7 @@ TEST("three pictures in one run are those of three runs, for any number of threa
   all.normals = &normals;
   all.depthMin = 4;
   all.depthMax = 9;
-  render(scene, *scene.getGroup(), RenderOptions(), 1, all);
+  render(RayTracer(scene, *scene.getGroup(), RenderOptions()), 1, all);
   CHECK(isSame(color, renderColor(scene, width, height)));
   for (int threads : {2, 3, 16}) {
     Image oneColor(width, height), oneDepth(width, height), oneNormals(width, height);
@@ -235,7 +235,7 @@ TEST("three pictures in one run are those of three runs, for any number of threa
     alone[2].normals = &oneNormals;
     alone[2].color = alone[2].depth = nullptr;
     for (const RenderTargets& targets : alone)
-      render(scene, *scene.getGroup(), RenderOptions(), threads, targets);
+      render(RayTracer(scene, *scene.getGroup(), RenderOptions()), threads, targets);
     CHECK(isSame(oneColor, color));
     CHECK(isSame(oneDepth, depth));
     CHECK(isSame(oneNormals, normals));

@@ -83,7 +83,7 @@ inline Image renderColor(const SceneParser& scene, int width, int height,
   Image image(width, height);
   RenderTargets targets;
   targets.color = &image;
-  render(scene, *scene.getGroup(), options, threads, targets);
+  render(RayTracer(scene, *scene.getGroup(), options), threads, targets);
   return image;
 }
 
@@ -93,7 +93,7 @@ inline Image renderSamples(const SceneParser& scene, int width, int height, int 
   RenderTargets targets;
   targets.samples = &image;
   targets.samplesZoom = zoom;
-  render(scene, *scene.getGroup(), options, 1, targets);
+  render(RayTracer(scene, *scene.getGroup(), options), 1, targets);
   return image;
 }
 

@@ -155,14 +155,14 @@ TEST("depth and normals are those of the centres, and all pictures come from one
   targets.normals = &plainNormals;
   targets.depthMin = 4;
   targets.depthMax = 9;
-  render(scene, *scene.getGroup(), RenderOptions(), 1, targets);
+  render(RayTracer(scene, *scene.getGroup(), RenderOptions()), 1, targets);
   targets.depth = &depth;
   targets.normals = &normals;
   targets.color = &color;
   targets.samples = &dots;
   targets.samplesZoom = zoom;
   const RenderOptions options = sampled(Pattern::random, 5, FilterKind::tent, 1);
-  render(scene, *scene.getGroup(), options, 2, targets);
+  render(RayTracer(scene, *scene.getGroup(), options), 2, targets);
   CHECK(isSame(depth, plainDepth));
   CHECK(isSame(normals, plainNormals));
   CHECK(isSame(color, renderColor(scene, width, height, options)));

@@ -11,15 +11,13 @@ namespace {
 constexpr int kWidth = 70, kHeight = 50;
 
 /// Says that the tiles whose lower left corner is left of `border` are finished, and counts how
-/// often each pixel is told of, in the colour picture and in that of the depth.
+/// often each pixel is told of.
 class Counter : public TileStore {
  public:
   explicit Counter(int border) : border_(border) {}
 
-  bool isFinished(const RenderTargets&, const PixelRectangle& area) const override {
-    return area.left < border_;
-  }
-  void finish(const RenderTargets& targets, const PixelRectangle& area) override {
+  bool isFinished(const PixelRectangle& area) const override { return area.left < border_; }
+  void finish(const PixelRectangle& area) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     areRight_ = areRight_ && area.left % 16 == 0 && area.bottom % 16 == 0 && area.left >= 0 &&
                 area.bottom >= 0 && area.right <= kWidth && area.top <= kHeight &&
@@ -27,16 +25,13 @@ class Counter : public TileStore {
                 (area.top % 16 == 0 || area.top == kHeight);
     for (int j = area.bottom; areRight_ && j < area.top; ++j) {
       for (int i = area.left; i < area.right; ++i) {
-        const auto place = std::size_t(j * kWidth + i);
-        colorTold[place] += targets.color != nullptr;
-        depthTold[place] += targets.depth != nullptr;
+        ++told[std::size_t(j * kWidth + i)];
       }
     }
   }
   bool areRight() const { return areRight_; }
 
-  std::vector<int> colorTold = std::vector<int>(kWidth * kHeight);
-  std::vector<int> depthTold = colorTold;
+  std::vector<int> told = std::vector<int>(kWidth * kHeight);
 
  private:
   const int border_;
@@ -54,13 +49,13 @@ struct Pictures {
     targets.depth = &depth;
     targets.depthMax = 9;
     targets.store = store;
-    ::render(scene, *scene.getGroup(), options, threads, targets);
+    ::render(RayTracer(scene, *scene.getGroup(), options), threads, targets);
   }
 };
 
 }  // namespace
 
-TEST("each pixel is told of once in each picture, and what is finished already is left alone") {
+TEST("each pixel is told of once, and what is finished already is left alone in all pictures") {
   const Rgb8 mark = {1, 2, 3};
   for (const RenderOptions& options :
        {RenderOptions(), sampling::sampled(sampling::Pattern::random, 2),
@@ -69,18 +64,21 @@ TEST("each pixel is told of once in each picture, and what is finished already i
     whole.render(options, 1, nullptr);
     for (const int border : {0, 16, 33}) {
       Pictures pictures;
-      pictures.color.setAllPixels(Vec3f(0.0051f, 0.009f, 0.0130f));  // 1 2 3, see bytesFromColor
+      for (Image* image : {&pictures.color, &pictures.depth}) {
+        image->setAllPixels(Vec3f(0.0051f, 0.009f, 0.0130f));  // 1 2 3, see bytesFromColor
+      }
       Counter counter(border);
       pictures.render(options, 1 + border % 3, &counter);
       CHECK(counter.areRight());
       int wrong = 0, kept = 0;
       for (int place = 0; place < kWidth * kHeight; ++place) {
         const int i = place % kWidth, j = place / kWidth;
-        const int color = counter.colorTold[std::size_t(place)];
-        const bool isKept = color == 0;
+        const int told = counter.told[std::size_t(place)];
+        const bool isKept = told == 0;
         kept += isKept;
         wrong += pictures.color.getPixel(i, j) != (isKept ? mark : whole.color.getPixel(i, j));
-        wrong += color > 1 || counter.depthTold[std::size_t(place)] > 1;
+        wrong += pictures.depth.getPixel(i, j) != (isKept ? mark : whole.depth.getPixel(i, j));
+        wrong += told > 1;
         wrong += isKept && border == 0;
       }
       CHECK_EQUAL(wrong, 0);
