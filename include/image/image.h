@@ -53,6 +53,8 @@ class PixelGrid {
   const Pixel& getPixel(int x, int y) const { return pixels_[index(x, y)]; }
   /// Likewise.
   void setPixel(int x, int y, const Pixel& value) { pixels_[index(x, y)] = value; }
+  /// Likewise, to be changed; those to its right in the row lie behind it.
+  Pixel& pixelAt(int x, int y) { return pixels_[index(x, y)]; }
 
  protected:
   std::size_t index(int x, int y) const {

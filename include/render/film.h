@@ -23,13 +23,10 @@ class Filter {
   /// How many pixels to each side have samples that may count; 0: only the pixel's own do.
   int getSupportRadius() const { return supportRadius_; }
   /// True where samples in the cells along the picture's edges stand for the cells beyond too.
-  bool repeatsEdges() const { return kind_ == SamplingOptions::FilterKind::blurredCells; }
+  bool repeatsEdges() const { return options_.filter == SamplingOptions::FilterKind::blurredCells; }
 
  private:
-  SamplingOptions::FilterKind kind_;
-  double size_;    // > 0: the radius of box and tent, the sigma of a gaussian
-  double cut_;     // of a gaussian, in sigmas
-  bool isSingle_;  // a box compares places as floats
+  SamplingOptions options_;
   int supportRadius_;
 };
 

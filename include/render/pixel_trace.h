@@ -24,9 +24,9 @@ class RayLines : public RayObserver {
       : tracer_(tracer), escapeLength_(escapeLength) {}
 
   void rayBegins(RayKind kind, int bounces, const TracedRay& ray) override;
-  void rayMeets(const Hit* hit) override;
+  void rayMeets(const Hit* hit, const Interface&) override;
   void lightAnswers(int light, const LightSample& sample, const ShadowQuery* shadowRay,
-                    const Vec3f& visible) override;
+                    const Vec3f& visible, const Vec3d&) override;
 
   /// All lines as a Wavefront OBJ file in the scene's units, at least one object for each kind of
   /// ray that there is, named by the kind: eye, mirror, refracted, and the shadow rays that are

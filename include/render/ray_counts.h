@@ -42,9 +42,9 @@ class RayCounts : public RayObserver {
   void rayBegins(RayKind kind, int bounces, const TracedRay&) override {
     addRays(kind, bounces, 1);
   }
-  void rayMeets(const Hit* hit) override { addMisses(hit ? 0 : 1); }
-  void lightAnswers(int, const LightSample&, const ShadowQuery* shadowRay,
-                    const Vec3f& visible) override {
+  void rayMeets(const Hit* hit, const Interface&) override { addMisses(hit ? 0 : 1); }
+  void lightAnswers(int, const LightSample&, const ShadowQuery* shadowRay, const Vec3f& visible,
+                    const Vec3d&) override {
     if (shadowRay) addShadowRays(1, visible == Vec3f() ? 1 : 0);
   }
   void branchEnds(RayKind, Outcome why, float) override { addEnds(why, 1); }

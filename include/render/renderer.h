@@ -45,6 +45,12 @@ struct PictureWindow {
   int width = 0, height = 0;  ///< of the whole picture
 };
 
+/// Pixels side by side in memory. Not owned.
+struct PixelBytes {
+  std::uint8_t* bytes;
+  std::size_t size;
+};
+
 /// The pictures wanted. Null where one is not; at least one is given. All that are given have the
 /// same size, at least 1 x 1, but `samples` is samplesZoom >= 1 times as wide and high; every pixel
 /// is set. Not owned.
@@ -74,6 +80,12 @@ struct RenderTargets {
 
   /// In pixels, `samples` counted as if it were not enlarged.
   Vec2<int> size() const;
+  /// Which pictures there are, a bit for each.
+  std::uint32_t pictureBits() const;
+  /// Where the pixels of `area` lie, picture after picture in the order of the bits, rows from the
+  /// bottom up: 3 bytes for each pixel, and for each one of an enlarged picture; 3 floats for one
+  /// of exact colours.
+  std::vector<PixelBytes> rowsOf(const PixelRectangle& area) const;
 };
 
 /// Fills the targets with the tracer's scene as its camera sees it. `threads` >= 1 never changes a

@@ -25,6 +25,7 @@ class Sampler {
   /// Where numbers come from a sequence, `height` is the picture's, in pixels.
   explicit Sampler(const SamplingOptions& options, int height = 1);
 
+  const SamplingOptions& options() const { return options_; }
   /// How many samples a pixel has at most.
   int getNumSamples() const { return most_; }
   /// How many of them come first; the others are for pixels that need more. Only the adaptive
@@ -45,13 +46,10 @@ class Sampler {
   Vec2d sampleIn(std::uint64_t pixel, const Cell& cell) const;
   int quarterOf(const Vec2d& sample, const Cell& cell) const;
   Vec2d newSampleIn(std::uint64_t pixel, const Cell& cell) const;
-
   Vec2d sequencePosition(int i, int j, int n) const;
 
-  SamplingOptions::Pattern pattern_;
-  SamplingOptions::Numbers numbers_;
+  SamplingOptions options_;
   int height_;
-  bool isGridExact_;
   int side_;  // s
   int first_, most_;
 };

@@ -48,12 +48,8 @@ class Shader {
   bool isDark(double approach) const { return hasDarkSides() && approach > 0; }
   bool hasAmbient(double approach) const { return !hasBlackSides() || !isDark(approach); }
   /// Whether any side is so.
-  bool hasDarkSides() const {
-    return options_.backs != RenderOptions::Backs::litAsFront && !options_.shadeBack;
-  }
-  bool hasBlackSides() const {
-    return options_.backs == RenderOptions::Backs::nothing && !options_.shadeBack;
-  }
+  bool hasDarkSides() const { return options_.backs != RenderOptions::Backs::litAsFront; }
+  bool hasBlackSides() const { return options_.backs == RenderOptions::Backs::nothing; }
   /// False where no surface of the material sends a ray of that kind on.
   bool sends(RayKind kind, const Material& material) const;
   /// What of a mirrored, or of a refracted, ray's colour goes back along the ray that met the
@@ -88,13 +84,15 @@ class Shader {
   /// Relative to Hit::getMagnitude, 4.7e-10: far above rounding, below the promised 1e-9.
   static constexpr double kRounding = 0x1p-31;
 
-  /// Those given, but the epsilon is never `automatic`.
+  /// Those given, but the epsilon is never `automatic`, and no side is dark where `shadeBack`
+  /// lights it.
   const RenderOptions& options() const { return options_; }
 
  private:
   bool isBlended(const Material& material) const {
     return options_.blendsGlass && !options_.fresnel && material.isTransparent();
   }
+  double mirroredPart(const Material& material, const Interface& interface, double approach) const;
   Vec3f mirrorFactor(const Material& material, const Interface& interface, double approach) const;
   Vec3f refractedFactor(const Material& material, const Interface& interface,
                         double approach) const;

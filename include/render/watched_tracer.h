@@ -21,11 +21,9 @@ class RayObserver {
   /// A surface that changes nothing (RenderOptions::nestedDielectrics), which the ray goes through
   /// before what rayMeets tells of.
   virtual void surfaceIsPassed(const Hit&) {}
-  /// `hit` is null where the ray meets nothing; then the background is its colour.
-  virtual void rayMeets(const Hit* /*hit*/) {}
-  /// The media on both sides of what the ray has met, and what dims the light on its way from
-  /// there. Not told where it meets nothing.
-  virtual void interfaceIsKnown(const Interface&) {}
+  /// `hit` is null where the ray meets nothing; then the background is its colour. Else the
+  /// interface tells the media on both sides, and what dims the light on its way from there.
+  virtual void rayMeets(const Hit* /*hit*/, const Interface&) {}
   /// The surface is a solid texture: what follows up to componentEnds is as if it were of
   /// `material` alone, whose colour has the share `share` in the ray's, 0 to 1.
   virtual void componentBegins(const Material& /*material*/, double /*share*/) {}
@@ -33,11 +31,10 @@ class RayObserver {
   virtual void componentEnds(const Vec3f& /*color*/) {}
   /// Once for each light, in the scene's order: its number, and what the surface sees of it.
   /// `shadowRay` is null where none was cast, as towards a light that the surface is turned away
-  /// from; of the light's colour the part `visible` arrives, black where it is blocked.
+  /// from; of the light's colour the part `visible` arrives, black where it is blocked, and adds
+  /// `added` to the ray's.
   virtual void lightAnswers(int /*light*/, const LightSample&, const ShadowQuery* /*shadowRay*/,
-                            const Vec3f& /*visible*/) {}
-  /// What the light that has answered last brings, where anything of it arrives.
-  virtual void lightAdds(const Vec3d& /*color*/) {}
+                            const Vec3f& /*visible*/, const Vec3d& /*added*/) {}
   /// A branch that the material asks for is not followed: tooManyBounces, tooFaint (then `weight`
   /// is below the least) or totalReflection.
   virtual void branchEnds(RayKind, Outcome, float /*weight*/) {}

@@ -23,7 +23,6 @@
 
 #include "cli/program.h"
 #include "image/output_file.h"
-#include "render/tile_bytes.h"
 
 namespace {
 
@@ -46,7 +45,7 @@ const std::string& checked(const std::string& path) {
 Digest fingerprintOf(const Digest& picture, const RenderTargets& targets) {
   Sha256 hash;
   hash.add(picture);
-  hash.addNumber(pictureBits(targets));
+  hash.addNumber(targets.pictureBits());
   hash.addNumber(kLayout);
   return hash.finish();
 }
@@ -180,7 +179,9 @@ Bytes Checkpoint::recordOf(std::uint32_t tile) const {
   Bytes record(kHeadSize);
   std::memcpy(record.data(), kMark, sizeof kMark);
   std::memcpy(&record[sizeof kMark], &tile, sizeof tile);
-  append(tileBytes(targets_, tiling_.areaOf(int(tile))), record);
+  for (const PixelBytes& row : targets_.rowsOf(tiling_.areaOf(int(tile)))) {
+    record.insert(record.end(), row.bytes, row.bytes + row.size);
+  }
   append(checksumOf(record.data(), record.size()), record);
   return record;
 }
@@ -193,7 +194,8 @@ std::optional<std::uint32_t> Checkpoint::readRecord(off_t at, Bytes& record) con
   std::uint32_t tile;
   std::memcpy(&tile, &record[sizeof kMark], sizeof tile);
   if (tile >= found_.size()) return std::nullopt;
-  const std::size_t size = kHeadSize + tileByteCount(targets_, tiling_.areaOf(int(tile)));
+  std::size_t size = kHeadSize;
+  for (const PixelBytes& row : targets_.rowsOf(tiling_.areaOf(int(tile)))) size += row.size;
   record.resize(size + sizeof(Digest));
   if (readAt(at, record) < record.size()) return std::nullopt;
   const Digest sum = checksumOf(record.data(), size);
@@ -220,7 +222,11 @@ void Checkpoint::readTiles() {
       ++at;
       continue;
     }
-    setTileBytes(targets_, tiling_.areaOf(int(*tile)), &record[kHeadSize]);
+    const std::uint8_t* next = &record[kHeadSize];
+    for (const PixelBytes& row : targets_.rowsOf(tiling_.areaOf(int(*tile)))) {
+      std::memcpy(row.bytes, next, row.size);
+      next += row.size;
+    }
     found_[*tile] = true;
     damaged_ = damaged_ || at > end_;
     at += off_t(record.size());

@@ -105,8 +105,7 @@ std::string inspectPixel(const RayTracer& tracer, const ObjectPlaces& places,
   const PictureSpot at = *render.results.pixel;
   // One observer tells what becomes of each ray, in words; the other one, where it is wanted, keeps
   // where the ray went.
-  const SceneNames names(tracer.scene(), places);
-  const auto report = makeRayReport(tracer, names, writeOut);
+  const auto report = makeRayReport(tracer, places, writeOut);
   // A ray that meets nothing is drawn as long as the scene.
   const double span = tracer.scene().getSpan();
   RayLines lines(tracer, span > 0 ? span : kEscapeLength);

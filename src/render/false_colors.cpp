@@ -105,14 +105,13 @@ std::vector<std::uint32_t> countRays(const RayTracer& tracer, int threads, int w
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
   const PixelRectangle picture = {0, 0, width, height};
-  const SamplingOptions& sampling = tracer.options().sampling;
   const PictureView view(*tracer.scene().getCamera(), tracer.options().places, width, height);
-  const Sampler sampler(sampling, height);
-  const double samples = sampling.samples;  // of a pixel, as far as they can be foretold
+  const Sampler sampler(tracer.options().sampling, height);
+  const double samples = sampler.options().samples;  // of a pixel, as far as they can be foretold
   if (listener) listener->begins(samples * width * height);
   shareTiles({width, height, kTileSide}, tracer, threads, [&](const NextTile& next) {
     WaveTracer waves(tracer);
-    const SampleSource source = {view, waves, sampler, sampling.tolerance};
+    const SampleSource source = {view, waves, sampler};
     RayCounts rays;  // of this thread, all together
     const WatchedTracer counting(tracer, rays);
     const auto count = [&](const Sample& sample) {

@@ -67,29 +67,29 @@ int placeOf(double offset, int zoom) { return std::min(int(offset * zoom), zoom 
 }  // namespace
 
 Filter::Filter(const SamplingOptions& options)
-    : kind_(options.filter),
-      size_(options.filterSize),
-      cut_(options.gaussianCut),
-      isSingle_(options.isFilterSingle),
-      supportRadius_(
-          repeatsEdges() ? 1 : pixelsWithin(kind_ == FilterKind::gaussian ? 2 * size_ : size_)) {}
+    : options_(options),
+      supportRadius_(repeatsEdges() ? 1
+                                    : pixelsWithin(options.filter == FilterKind::gaussian
+                                                       ? 2 * options.filterSize
+                                                       : options.filterSize)) {}
 
 double Filter::getWeight(double x, double y) const {
-  const double squared = x * x + y * y;
-  switch (kind_) {
-    case FilterKind::box:
-      if (isSingle_) return float(std::max(std::fabs(x), std::fabs(y))) <= float(size_) ? 1 : 0;
-      return std::fabs(x) <= size_ && std::fabs(y) <= size_ ? 1 : 0;
+  const double squared = x * x + y * y, size = options_.filterSize;
+  switch (options_.filter) {
+    case FilterKind::box: {
+      const double distance = std::max(std::fabs(x), std::fabs(y));
+      const bool isSingle = options_.isFilterSingle;
+      return (isSingle ? float(distance) <= float(size) : distance <= size) ? 1 : 0;
+    }
     case FilterKind::tent:
-      return std::max(0.0, 1 - std::sqrt(squared) / size_);
+      return std::max(0.0, 1 - std::sqrt(squared) / size);
     case FilterKind::blurredCells:
       return cellWeight(x) * cellWeight(y);
     case FilterKind::gaussian:
       break;
   }
-  const double ratio = squared / (size_ * size_);
-  return ratio <= cut_ * cut_ ? math::exp(-ratio / 2)
-                              : 0;  // 0 / 0, where sigma^2 underflows, is beyond
+  const double ratio = squared / (size * size);  // 0 / 0, where sigma^2 underflows, is beyond
+  return ratio <= options_.gaussianCut * options_.gaussianCut ? math::exp(-ratio / 2) : 0;
 }
 
 Film::Film(const PixelRectangle& area, const Filter& filter, const PixelRectangle& picture)

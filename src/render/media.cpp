@@ -11,8 +11,6 @@
 #include "render/media.h"
 
 #include <algorithm>
-#include <functional>
-#include <tuple>
 
 #include "shading/solid_texture.h"
 
@@ -22,11 +20,6 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// How a crossing counts in the number of times that an object is left.
 int countOf(const Crossing& crossing) { return crossing.leaving ? 1 : -1; }
-
-std::tuple<float, float, float, float> opticsOf(const Material& material) {
-  const Vec3f color = material.getTransparentColor();
-  return {material.getIndexOfRefraction(), color.r(), color.g(), color.b()};
-}
 
 }  // namespace
 
@@ -58,29 +51,21 @@ void Media::addStays(CrossingPlace first, CrossingPlace last) {
   if (count != 0) stays_.push_back({medium, -kInf, to});
 }
 
-double Media::volumeOf(const Stay& stay) const {
-  return solids_ ? solids_->volumeOf(stay.medium.object) : kInf;
-}
-
 /// What is the same to the eye may come in any order, which no picture can show.
-bool Media::isStronger(const Stay& a, const Stay& b) const {
-  const Material& first = *a.medium.material;
-  const Material& second = *b.medium.material;
-  const int priorityA = first.getPriority(), priorityB = second.getPriority();
-  if (priorityA != priorityB) return priorityA > priorityB;
-  const double volumeA = volumeOf(a), volumeB = volumeOf(b);
-  if (volumeA != volumeB) return volumeA < volumeB;
-  if (a.to != b.to) return a.to < b.to;
-  if (a.from != b.from) return a.from > b.from;
-  const auto opticsA = opticsOf(first), opticsB = opticsOf(second);
-  return opticsA != opticsB ? opticsA < opticsB : std::less<>()(a.medium.object, b.medium.object);
+Media::Rank Media::rankOf(const Stay& stay) const {
+  const auto [object, material] = stay.medium;
+  const double volume = solids_ ? solids_->volumeOf(object) : kInf;
+  const Vec3f color = material->getTransparentColor();
+  return {-double(material->getPriority()),        volume,    stay.to,   -stay.from,
+          material->getIndexOfRefraction(),        color.r(), color.g(), color.b(),
+          reinterpret_cast<std::uintptr_t>(object)};
 }
 
 Media::Medium Media::mediumAt(double t) const {
   const Stay* strongest = nullptr;
   for (const Stay& stay : stays_) {
     const bool isAround = stay.from <= t && t < stay.to;
-    if (isAround && (!strongest || isStronger(stay, *strongest))) strongest = &stay;
+    if (isAround && (!strongest || rankOf(stay) < rankOf(*strongest))) strongest = &stay;
   }
   return strongest ? strongest->medium : Medium();
 }

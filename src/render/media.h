@@ -3,7 +3,9 @@
 // enters it. So nothing need be remembered of the way that led there, and a line may begin
 // anywhere: inside objects as well.
 #pragma once
+#include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "geometry/object3d.h"
@@ -55,9 +57,12 @@ class Media final : public CrossingVisitor {
     double from, to;
   };
 
+  /// Of several stays around a place the one of the least rank fills it: see mediumAt.
+  using Rank =
+      std::tuple<double, double, double, double, float, float, float, float, std::uintptr_t>;
+
   void addStays(CrossingPlace first, CrossingPlace last);
-  bool isStronger(const Stay& a, const Stay& b) const;
-  double volumeOf(const Stay& stay) const;
+  Rank rankOf(const Stay& stay) const;
 
   const SolidObjects* solids_;       // not owned; may be null
   std::vector<Crossing> crossings_;  // of closed transparent objects, by object and then by t

@@ -64,13 +64,13 @@ void RayLines::rayBegins(RayKind kind, int, const TracedRay& ray) {
 }
 
 /// An orthographic camera sees behind its centre: there the line comes from further back.
-void RayLines::rayMeets(const Hit* hit) {
+void RayLines::rayMeets(const Hit* hit, const Interface&) {
   const double to = hit ? hit->getT() : escapeLength_;
   add(kind_, ray_, to < 0 ? to - escapeLength_ : 0, to);
 }
 
 void RayLines::lightAnswers(int, const LightSample&, const ShadowQuery* shadowRay,
-                            const Vec3f& visible) {
+                            const Vec3f& visible, const Vec3d&) {
   if (!shadowRay) return;
   const double whole = std::isfinite(shadowRay->tmax) ? shadowRay->tmax : escapeLength_;
   if (visible == Vec3f(1, 1, 1)) return add(lit, shadowRay->ray, 0, whole);

@@ -1,4 +1,4 @@
-// The tree of one ray as text, and the words of reports.
+// The tree of one ray as text, and the numbers of reports.
 //
 // The report follows the events of the recursion: a ray begins and the depth grows, facts are
 // written as they come, the ray ends and the depth shrinks. It asks one thing more than it is told:
@@ -31,9 +31,9 @@ std::string printed(double number, int digits) {
 /// The tree of rays as text.
 class RayReport : public RayObserver {
  public:
-  RayReport(const RayTracer& tracer, const SceneNames& names,
+  RayReport(const RayTracer& tracer, const ObjectPlaces& places,
             std::function<void(const std::string& line)> writeLine)
-      : tracer_(tracer), names_(names), writeLine_(std::move(writeLine)) {}
+      : tracer_(tracer), places_(places), writeLine_(std::move(writeLine)) {}
 
   // A ray: what it is, and one step further in where it starts, what it meets and what comes of it.
   void rayBegins(RayKind kind, int bounces, const TracedRay& ray) override {
@@ -46,31 +46,28 @@ class RayReport : public RayObserver {
   }
 
   void surfaceIsPassed(const Hit& hit) override {
-    line("passes " + names_.ofObject(hit.getObject(), hit.getFace()) + ", at t " +
-         textOf(hit.getT()) + ": the same medium on both sides");
-  }
-
-  void rayMeets(const Hit* hit) override {
-    if (!hit) return line("hits nothing: background");
-    material_ = hit->getMaterial();
-    line("hits " + names_.ofObject(hit->getObject(), hit->getFace()));
-    line("t " + textOf(hit->getT()) + ", point " + textOf(hit->getIntersectionPoint()) +
-         ", normal " + textOf(hit->getNormal()));
-    line(names_.ofMaterial(*material_));
+    line("passes " + nameOf(hit.getObject(), hit.getFace()) + ", at t " + textOf(hit.getT()) +
+         ": the same medium on both sides");
   }
 
   // Indices matter only where something goes through, the tint only where there is one.
-  void interfaceIsKnown(const Interface& interface) override {
-    if (anyPositive(material_->getTransparentColor())) {
-      line("index before " + textOf(interface.before.indexAt(*material_)) + ", behind " +
-           textOf(interface.behind.indexAt(*material_)));
+  void rayMeets(const Hit* hit, const Interface& interface) override {
+    if (!hit) return line("hits nothing: background");
+    const Material& material = *hit->getMaterial();
+    line("hits " + nameOf(hit->getObject(), hit->getFace()));
+    line("t " + textOf(hit->getT()) + ", point " + textOf(hit->getIntersectionPoint()) +
+         ", normal " + textOf(hit->getNormal()));
+    line(nameOf(material));
+    if (material.isTransparent()) {
+      line("index before " + textOf(interface.before.indexAt(material)) + ", behind " +
+           textOf(interface.behind.indexAt(material)));
     }
     if (interface.tint != Vec3f(1, 1, 1)) line("dimmed on the way by " + textOf(interface.tint));
   }
 
   // A component of a texture, with all that follows for it, is one step further in too.
   void componentBegins(const Material& material, double share) override {
-    line("part " + textOf(share) + " of " + names_.ofMaterial(material));
+    line("part " + textOf(share) + " of " + nameOf(material));
     ++depth_;
   }
 
@@ -80,13 +77,13 @@ class RayReport : public RayObserver {
   }
 
   void lightAnswers(int light, const LightSample& sample, const ShadowQuery* shadowRay,
-                    const Vec3f& visible) override {
-    line(names_.ofLight(light) + ", direction " + textOf(sample.direction) + ", distance " +
-         textOf(sample.distance) + ": " +
+                    const Vec3f& visible, const Vec3d& added) override {
+    line("light " + std::to_string(light) + ", " + tracer_.scene().getLight(light)->getKind() +
+         ", direction " + textOf(sample.direction) + ", distance " + textOf(sample.distance) +
+         ": " +
          (sample.isInFront ? "in front, " + answerOf(shadowRay, visible) : "behind the surface"));
+    if (visible != Vec3f()) line("  adds " + textOf(Vec3f(added)));
   }
-
-  void lightAdds(const Vec3d& color) override { line("  adds " + textOf(Vec3f(color))); }
 
   // Why a branch that the material asks for is not followed, with the limit that it has reached.
   void branchEnds(RayKind kind, Outcome why, float weight) override {
@@ -116,6 +113,20 @@ class RayReport : public RayObserver {
     writeLine_(std::string(std::size_t(2 * std::min(depth_, kMostSteps)), ' ') + text + "\n");
   }
 
+  /// "Group 1 > Sphere 2, scene.txt:12"; of a mesh the triangle too, counted from 1.
+  std::string nameOf(const Object3D* object, std::optional<std::uint32_t> face) const {
+    const std::size_t line = places_.lineOf(object);
+    if (line == 0) return "an object that is not in the scene file";
+    const bool isMesh = dynamic_cast<const TriangleMesh*>(object) != nullptr;
+    return places_.pathOf(object) + ", " + places_.file() + ":" + std::to_string(line) +
+           (isMesh && face ? ", triangle " + std::to_string(std::uint64_t(*face) + 1) : "");
+  }
+  /// "material 0, PhongMaterial".
+  static std::string nameOf(const Material& material) {
+    if (material.getNumber() < 0) return "a material that is not in the scene file";
+    return "material " + std::to_string(material.getNumber()) + ", " + material.getKind();
+  }
+
   /// What came of a shadow ray, in words.
   std::string answerOf(const ShadowQuery* shadowRay, const Vec3f& visible) const {
     if (!shadowRay) return "no shadow ray";
@@ -123,18 +134,16 @@ class RayReport : public RayObserver {
     const auto blocker =
         findBlocker(tracer_.geometry(), *shadowRay, tracer_.options().transparentShadows);
     if (visible != Vec3f() || !blocker) return "tinted by " + textOf(visible);
-    return "blocked by " + names_.ofObject(blocker->object, blocker->face) + ", at t " +
-           textOf(blocker->t);
+    return "blocked by " + nameOf(blocker->object, blocker->face) + ", at t " + textOf(blocker->t);
   }
 
   static constexpr const char* kKinds[] = {"eye", "mirror", "refracted"};
   static constexpr const char* kTerms[] = {"ambient", "lights", "mirror", "transmitted"};
 
   const RayTracer& tracer_;
-  const SceneNames& names_;
+  const ObjectPlaces& places_;
   const std::function<void(const std::string& line)> writeLine_;
-  int depth_ = 0;                       // of rays and components of textures
-  const Material* material_ = nullptr;  // of what was met last; not owned
+  int depth_ = 0;  // of rays and components of textures
 };
 
 }  // namespace
@@ -150,24 +159,7 @@ std::string textOf(float number) {
 
 std::string textOf(double number) { return printed(number, kMostDigits); }
 
-std::string SceneNames::ofObject(const Object3D* object, std::optional<std::uint32_t> face) const {
-  const std::size_t line = places_.lineOf(object);
-  if (line == 0) return "an object that is not in the scene file";
-  const bool isMesh = dynamic_cast<const TriangleMesh*>(object) != nullptr;
-  return places_.pathOf(object) + ", " + places_.file() + ":" + std::to_string(line) +
-         (isMesh && face ? ", triangle " + std::to_string(std::uint64_t(*face) + 1) : "");
-}
-
-std::string SceneNames::ofMaterial(const Material& material) const {
-  if (material.getNumber() < 0) return "a material that is not in the scene file";
-  return "material " + std::to_string(material.getNumber()) + ", " + material.getKind();
-}
-
-std::string SceneNames::ofLight(int index) const {
-  return "light " + std::to_string(index) + ", " + scene_.getLight(index)->getKind();
-}
-
-std::unique_ptr<RayObserver> makeRayReport(const RayTracer& tracer, const SceneNames& names,
+std::unique_ptr<RayObserver> makeRayReport(const RayTracer& tracer, const ObjectPlaces& places,
                                            std::function<void(const std::string& line)> writeLine) {
-  return std::make_unique<RayReport>(tracer, names, std::move(writeLine));
+  return std::make_unique<RayReport>(tracer, places, std::move(writeLine));
 }

@@ -95,18 +95,17 @@ class Rendering {
   /// Tiles are small enough to be shared by `threads` threads.
   Rendering(const RayTracer& tracer, const RenderTargets& targets, int threads)
       : targets_(targets),
-        options_(tracer.options().sampling),
         view_(viewOf(tracer, targets)),
-        sampler_(options_, view_.height),
-        filter_(options_),
-        isSampled_(targets.samples || (targets.color && !options_.isPlain())),
+        sampler_(tracer.options().sampling, view_.height),
+        filter_(sampler_.options()),
+        isSampled_(targets.samples || (targets.color && !sampler_.options().isPlain())),
         reach_(isSampled_ && targets.color ? filter_.getSupportRadius() : 0),
         tiling_(tilingOf(targets.size(), sampler_, reach_, threads)) {}
 
   const Tiling& tiling() const { return tiling_; }
   /// As many as can be foretold: what an adaptive sampler adds is not known.
   double raysOfPixel() const {
-    return (isSampled_ ? options_.samples : 0) + (hasCentral() ? 1 : 0);
+    return (isSampled_ ? sampler_.options().samples : 0) + (hasCentral() ? 1 : 0);
   }
 
   void renderTile(WaveTracer& tracer, const PixelRectangle& area) const {
@@ -141,8 +140,8 @@ class Rendering {
       }
     };
     const PixelRectangle around = inside.grown(reach_);
-    takeSamples({view_, tracer, sampler_, options_.tolerance},
-                options_.hasBorderSamples ? around : around.within(whole), take);
+    const bool isCut = !sampler_.options().hasBorderSamples;
+    takeSamples({view_, tracer, sampler_}, isCut ? around.within(whole) : around, take);
     if (!targets_.color) return;
     for (const Pixel at : pixelsInOrder(inside)) {
       set(targets_.color, targets_.exactColor, inTargets(at), film.getColor(at));
@@ -166,7 +165,6 @@ class Rendering {
   }
 
   const RenderTargets& targets_;
-  const SamplingOptions& options_;
   const PictureView view_;
   const Sampler sampler_;
   const Filter filter_;
@@ -176,13 +174,6 @@ class Rendering {
 };
 
 }  // namespace
-
-Vec2<int> RenderTargets::size() const {
-  for (const Image* image : {color, depth, normals, materials}) {
-    if (image) return {image->Width(), image->Height()};
-  }
-  return {samples->Width() / samplesZoom, samples->Height() / samplesZoom};
-}
 
 /// Each thread counts its rays, if they are to be counted, with a tracer of its own.
 void render(const RayTracer& tracer, int threads, const RenderTargets& targets, RayCounts* counts) {

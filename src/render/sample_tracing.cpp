@@ -88,7 +88,9 @@ class AdaptiveSampling {
   };
 
   SampledPixel& operator[](Pixel at) { return pixels_[seen_.index(at)]; }
-  bool differs(const ColorRange& range) const { return range.width() > source_.tolerance; }
+  bool differs(const ColorRange& range) const {
+    return range.width() > source_.sampler.options().tolerance;
+  }
 
   /// Traces samples from <= n < to of each pixel.
   void take(const std::vector<Pixel>& pixels, int from, int to) {

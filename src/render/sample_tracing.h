@@ -55,7 +55,6 @@ struct SampleSource {
   const PictureView& view;
   WaveTracer& tracer;
   const Sampler& sampler;
-  double tolerance;  ///< as SamplingOptions has it
 };
 
 /// The least and the greatest of some colours, each component on its own, clamped to 0..1.

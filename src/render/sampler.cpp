@@ -48,25 +48,26 @@ int gridSide(int samples) {
 }  // namespace
 
 Sampler::Sampler(const SamplingOptions& options, int height)
-    : pattern_(options.pattern),
-      numbers_(options.numbers),
+    : options_(options),
       height_(height),
-      isGridExact_(options.isGridExact),
-      side_(pattern_ == Pattern::center ? 1 : gridSide(options.samples)),
-      first_(pattern_ == Pattern::random ? options.samples : side_ * side_),
+      side_(options.pattern == Pattern::center ? 1 : gridSide(options.samples)),
+      first_(options.pattern == Pattern::random ? options.samples : side_ * side_),
       most_(first_) {
-  while (pattern_ == Pattern::adaptive && most_ < options.maxSamples) most_ *= 4;
+  while (options.pattern == Pattern::adaptive && most_ < options.maxSamples) most_ *= 4;
 }
 
 Vec2d Sampler::getSamplePosition(int i, int j, int n) const {
   assert(n >= 0 && n < getNumSamples());
-  const bool isDrawn = pattern_ == Pattern::random || pattern_ == Pattern::jittered;
-  if (isDrawn && numbers_ == SamplingOptions::Numbers::sequence) return sequencePosition(i, j, n);
-  switch (pattern_) {
+  const Pattern pattern = options_.pattern;
+  const bool isDrawn = pattern == Pattern::random || pattern == Pattern::jittered;
+  if (isDrawn && options_.numbers == SamplingOptions::Numbers::sequence) {
+    return sequencePosition(i, j, n);
+  }
+  switch (pattern) {
     case Pattern::center:
     case Pattern::uniform: {
       const Vec2d middle = pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
-      return isGridExact_ ? Vec2d{toGrid(middle.x()), toGrid(middle.y())} : middle;
+      return options_.isGridExact ? Vec2d{toGrid(middle.x()), toGrid(middle.y())} : middle;
     }
     case Pattern::random:
       return randomPoint(seedOf(i, j), std::uint64_t(n));
@@ -82,7 +83,7 @@ Vec2d Sampler::sequencePosition(int i, int j, int n) const {
   const auto pixel = std::uint64_t(i) * std::uint64_t(height_) + std::uint64_t(j);
   const std::uint64_t draw = 2 * (pixel * std::uint64_t(most_) + std::uint64_t(n));
   const double first = math::sequenceNumber(draw), second = math::sequenceNumber(draw + 1);
-  if (pattern_ == Pattern::random) return {second, first};
+  if (options_.pattern == Pattern::random) return {second, first};
   return pointInCell(n % side_, n / side_, side_, {first, second});
 }
 
@@ -101,19 +102,14 @@ Vec2d Sampler::jitteredPosition(std::uint64_t pixel, int n) const {
                      {parent.level + 1, 2 * parent.x + quarter % 2, 2 * parent.y + quarter / 2});
 }
 
-/// The sample that the grid of this level has in the cell: that of the cells around it, from the
-/// largest on, as long as it lies in this one.
+/// The sample that the grid of this level has in the cell: that of the cell around it, where it
+/// lies in this quarter. At most eight levels deep.
 Vec2d Sampler::sampleIn(std::uint64_t pixel, const Cell& cell) const {
-  Cell around = {0, cell.x >> cell.level, cell.y >> cell.level};
-  Vec2d sample = newSampleIn(pixel, around);
-  for (int level = 1; level <= cell.level; ++level) {
-    const int beyond = cell.level - level;
-    const Cell next = {level, cell.x >> beyond, cell.y >> beyond};
-    const int quarter = next.x % 2 + 2 * (next.y % 2);
-    if (quarterOf(sample, around) != quarter) sample = newSampleIn(pixel, next);
-    around = next;
-  }
-  return sample;
+  if (cell.level == 0) return newSampleIn(pixel, cell);
+  const Cell around = {cell.level - 1, cell.x / 2, cell.y / 2};
+  const Vec2d sample = sampleIn(pixel, around);
+  const bool isHere = quarterOf(sample, around) == cell.x % 2 + 2 * (cell.y % 2);
+  return isHere ? sample : newSampleIn(pixel, cell);
 }
 
 /// The quarter of the cell in which its sample lies: 0 and 1 below, 2 and 3 above.

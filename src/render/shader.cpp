@@ -32,24 +32,12 @@ double approachOf(const Surface& s) { return dot(s.hit.getNormal(), s.ray.getDir
 
 Vec3f grey(double value) { return Vec3f(Vec3d(value, value, value)); }
 
-/// The part of light that glass mirrors here, by Fresnel's equations.
-double reflectance(const Material& material, const Interface& interface, double approach) {
-  const double before = double(interface.before.indexAt(material));
-  const double behind = double(interface.behind.indexAt(material));
-  return dielectricReflectance(std::fabs(approach), behind / before);
-}
-
-/// The same as Schlick has it, by the index behind the surface.
-double blend(const Material& material, const Interface& interface, double approach) {
-  return blendedReflectance(approach, double(interface.before.indexAt(material)),
-                            double(interface.behind.indexAt(material)));
-}
-
 }  // namespace
 
 Shader::Shader(const SceneParser& scene, const RenderOptions& options)
     : scene_(&scene), options_(options) {
   options_.epsilon = resolved(options.epsilon, scene);
+  if (options.shadeBack) options_.backs = RenderOptions::Backs::litAsFront;
 }
 
 Vec3d Shader::ambient(const Surface& s) const {
@@ -140,16 +128,25 @@ bool Shader::refract(const Surface& s, Vec3d& direction, float& index) const {
   return transmittedDirection(normal, s.ray.getDirection(), before, index, direction);
 }
 
+/// The part of light that glass mirrors: by Fresnel's equations, or as Schlick has it, by the index
+/// behind the surface.
+double Shader::mirroredPart(const Material& material, const Interface& interface,
+                            double approach) const {
+  const double before = double(interface.before.indexAt(material));
+  const double behind = double(interface.behind.indexAt(material));
+  return options_.fresnel ? dielectricReflectance(std::fabs(approach), behind / before)
+                          : blendedReflectance(approach, before, behind);
+}
+
 /// With `fresnel`, glass mirrors by Fresnel's equations and takes no notice of its reflective
 /// colour; a metal's grows towards white at grazing angles (Schlick). Blended glass mirrors a part
 /// of its reflective colour.
 Vec3f Shader::mirrorFactor(const Material& material, const Interface& interface,
                            double approach) const {
   const Vec3f color = material.getReflectiveColor();
-  if (!options_.fresnel) {
-    return isBlended(material) ? color * grey(blend(material, interface, approach)) : color;
-  }
-  if (material.isTransparent()) return grey(reflectance(material, interface, approach));
+  if (isBlended(material)) return color * grey(mirroredPart(material, interface, approach));
+  if (!options_.fresnel) return color;
+  if (material.isTransparent()) return grey(mirroredPart(material, interface, approach));
   if (!anyPositive(color)) return Vec3f();
   return Vec3f(schlickReflectance(std::fabs(approach), Vec3d(color)));
 }
@@ -159,8 +156,7 @@ Vec3f Shader::mirrorFactor(const Material& material, const Interface& interface,
 Vec3f Shader::refractedFactor(const Material& material, const Interface& interface,
                               double approach) const {
   const Vec3f color = material.getTransparentColor();
-  if (isBlended(material)) return color * grey(1 - blend(material, interface, approach));
-  if (!options_.fresnel || !anyPositive(color)) return color;
-  const Vec3f passed = grey(1 - reflectance(material, interface, approach));
-  return interface.isClosed ? passed : color * passed;
+  if (!areFactorsAngular() || !material.isTransparent()) return color;
+  const Vec3f passed = grey(1 - mirroredPart(material, interface, approach));
+  return options_.fresnel && interface.isClosed ? passed : color * passed;
 }

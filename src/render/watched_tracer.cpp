@@ -22,8 +22,7 @@ bool WatchedTracer::meet(const Ray& ray, double tmin, float index, Hit& hit,
   std::vector<Hit> passed;
   const bool isFound = interfaces().intersect(ray, tmin, index, hit, interface, &passed);
   for (const Hit& surface : passed) observer_.surfaceIsPassed(surface);
-  observer_.rayMeets(isFound ? &hit : nullptr);
-  if (isFound) observer_.interfaceIsKnown(interface);
+  observer_.rayMeets(isFound ? &hit : nullptr, interface);
   return isFound;
 }
 
@@ -56,10 +55,8 @@ Vec3d WatchedTracer::light(int index, const Surface& s) const {
   const Vec3f visible = light.isInFront ? visibility(s, light) : Vec3f();
   ShadowQuery query;
   if (isAsked) shader().setShadowQuery(s, light, query);
-  observer_.lightAnswers(index, light, isAsked ? &query : nullptr, visible);
-  if (visible == Vec3f()) return Vec3d();
   const Vec3d added = shader().reflected(s, light, visible);
-  observer_.lightAdds(added);
+  observer_.lightAnswers(index, light, isAsked ? &query : nullptr, visible, added);
   return added;
 }
 

@@ -19,9 +19,9 @@ class Log : public RayObserver {
     constexpr const char* kNames[] = {"eye", "mirror", "refracted"};
     text_ += std::string(kNames[int(kind)]) + " " + std::to_string(bounces) + " (";
   }
-  void rayMeets(const Hit* hit) override { text_ += hit ? "hit " : "nothing "; }
+  void rayMeets(const Hit* hit, const Interface&) override { text_ += hit ? "hit " : "nothing "; }
   void lightAnswers(int light, const LightSample& sample, const ShadowQuery* shadowRay,
-                    const Vec3f& visible) override {
+                    const Vec3f& visible, const Vec3d&) override {
     text_ += "light" + std::to_string(light);
     text_ += !sample.isInFront    ? "-behind "
              : !shadowRay         ? "-unasked "

@@ -14,11 +14,10 @@ std::string reportOf(const std::string& text, const RenderOptions& options = {})
   SceneParser scene(path.c_str(), &places);
   std::remove(path.c_str());
   scene.findSolids();
-  const SceneNames names(scene, places);
   std::string report;
   const RayTracer tracer(scene, *scene.getGroup(), options);
   const auto observer =
-      makeRayReport(tracer, names, [&](const std::string& line) { report += line; });
+      makeRayReport(tracer, places, [&](const std::string& line) { report += line; });
   Ray ray({0, 0, 5}, {0, 0, -1});
   Hit hit;
   WatchedTracer(tracer, *observer).traceRay(ray, 0, 0, 1, 1, hit);
