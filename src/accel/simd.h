@@ -73,12 +73,15 @@ inline Float8 smaller(const Float8& a, const Float8& b) {
 inline Float8 larger(const Float8& a, const Float8& b) {
   return byParts(a, b, [](Part x, Part y) { return x > y ? x : y; });
 }
+inline Float8 absolute(const Float8& a) {
+  return byParts(a, -a, [](Part x, Part y) { return x > y ? x : y; });
+}
 /// a, negated in the lanes where b is negative.
 inline Float8 withSignOf(const Float8& a, const Float8& b) {
-  return byParts(a, b,
-                 [](Part x, Part y) { return Part(IntPart(x) ^ (IntPart(y) & ~0x7fffffff)); });
+  return byParts(a, b, [](Part x, Part y) {
+    return Part(IntPart(x) ^ (IntPart(y) & IntPart(-0.0f - Part{})));
+  });
 }
-inline Float8 absolute(const Float8& a) { return withSignOf(a, a); }
 inline Float8 squareRoot(const Float8& a) {
 #if defined(__AVX2__)
   return {{_mm256_sqrt_ps(a.v[0])}};
