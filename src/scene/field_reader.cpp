@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/perlin_noise.h"
 #include "scene/decimal.h"
 #include "scene/number_reader.h"
 #include "scene/scene_parser.h"
@@ -25,14 +26,6 @@ bool isCapitalised(std::string_view word, const Fields& fields) {
 /// How many numbers such a value has.
 std::size_t countOf(Form form) { return form == Form::vector || form == Form::color ? 3 : 1; }
 
-/// Brings the largest component into [1/2, 1) by a power of two: the direction stays exactly the
-/// same, and its squares neither overflow nor vanish.
-void rescale(Value& vector) {
-  int exponent = 0;
-  std::frexp(maxAbs(vector.vector()), &exponent);
-  for (double& number : vector.numbers) number = std::ldexp(number, -exponent);
-}
-
 /// What one number must be, where it is not; "" where it is.
 std::string expectedOf(const Value& value) {
   constexpr int kMost = SceneParser::kMostPixels;
@@ -42,6 +35,9 @@ std::string expectedOf(const Value& value) {
   if (range == Range::atLeastZero && number < 0) return name + " of at least 0";
   if (range == Range::side && (number < 1 || number > kMost)) {
     return name + " from 1 to " + std::to_string(kMost);
+  }
+  if (range == Range::octaves && (number < 0 || number > math::kMaxOctaves)) {
+    return name + " from 0 to " + std::to_string(math::kMaxOctaves);
   }
   if (range == Range::aboveZero || range == Range::angle) {
     if (number <= 0) return name + " above 0";
@@ -53,6 +49,14 @@ std::string expectedOf(const Value& value) {
 }  // namespace
 
 // Values.
+
+Vec3d Value::direction() const {
+  Vec3d direction = vector();
+  int exponent = 0;
+  std::frexp(maxAbs(direction), &exponent);
+  for (int axis = 0; axis < 3; ++axis) direction[axis] = std::ldexp(direction[axis], -exponent);
+  return direction;
+}
 
 bool FieldReader::readNumbers(std::string_view what, double* values, std::size_t count,
                               bool areSingle) {
@@ -158,14 +162,33 @@ std::string_view FieldReader::fileNameAt(const char* at) const {
 
 // Fields.
 
-bool FieldReader::readFields(std::string_view owner, Fields& fields, const OwnReader& readOwn) {
+Fields FieldReader::readFields(std::string_view owner, Blocks blocks, const OwnReader& readOwn) {
+  Fields fields(language_, blocks);
   const char* const start = at();
-  return openBlock(owner) && readOpenFields(owner, start, fields, readOwn);
+  if (openBlock(owner)) readRest(owner, start, fields, readOwn);
+  return fields;
 }
 
-bool FieldReader::readOpenFields(std::string_view owner, const char* start, Fields& fields,
-                                 const OwnReader& readOwn) {
+Fields FieldReader::readOpenFields(std::string_view owner, const char* start, Blocks blocks) {
+  Fields fields(language_, blocks);
+  readRest(owner, start, fields, {});
+  return fields;
+}
+
+void FieldReader::readRest(std::string_view owner, const char* start, Fields& fields,
+                           const OwnReader& readOwn) {
   const std::size_t mistakesBefore = mistakeCount_;
+  const bool isWhole = readNames(owner, fields, readOwn);
+  if (isWhole && mistakeCount_ == mistakesBefore) reportMissing(owner, start, fields);
+  fields.areGood = isWhole && mistakeCount_ == mistakesBefore;
+  for (const Value& value : fields) {
+    const bool isLimited = value.at && value.field->range != Range::any;
+    if (isLimited) fields.areGood &= checkRange(value);
+  }
+}
+
+/// Reads fields up to the block's }, and takes that. False where the block does not end so.
+bool FieldReader::readNames(std::string_view owner, Fields& fields, const OwnReader& readOwn) {
   for (Value* next = fields.begin(); !isAt('}');) {
     if (Value* const value = fields.find(word_, next); value != fields.end()) {
       readField(*value, readOwn);
@@ -180,8 +203,7 @@ bool FieldReader::readOpenFields(std::string_view owner, const char* start, Fiel
     }
   }
   advance();
-  if (mistakeCount_ == mistakesBefore) reportMissing(owner, start, fields);
-  return mistakeCount_ == mistakesBefore;
+  return true;
 }
 
 void FieldReader::reportMissing(std::string_view owner, const char* start, const Fields& fields) {
@@ -217,6 +239,12 @@ bool FieldReader::readValue(Value& value, const OwnReader& readOwn) {
   const Form form = value.field->form;
   if (form == Form::ownReader) return readOwn(name);
   if (form == Form::fileName) return readFileName(name);
+  if (form == Form::choice) {
+    std::size_t chosen = 0;
+    const bool isGood = readChoice(name, kDistributionWords, chosen);
+    value.numbers[0] = double(chosen);
+    return isGood;
+  }
   if (form != Form::whole) {
     const bool areSingle = form == Form::single || form == Form::color;
     return readNumbers(name, value.numbers.data(), countOf(form), areSingle);
@@ -229,18 +257,7 @@ bool FieldReader::readValue(Value& value, const OwnReader& readOwn) {
 
 // Ranges.
 
-bool FieldReader::checkRanges(std::string_view block, Fields& fields) {
-  bool isGood = true;
-  for (Value& value : fields) {
-    const bool isLimited = value.field->range != Range::any;
-    if (isLimited && value.field->block == block) isGood &= checkRange(value);
-  }
-  return isGood;
-}
-
-/// A field without a good value passes: that mistake is reported already.
-bool FieldReader::checkRange(Value& value) {
-  if (!value.at) return true;
+bool FieldReader::checkRange(const Value& value) {
   const std::string_view name = value.field->name;
   switch (value.field->range) {
     case Range::color:
@@ -255,7 +272,6 @@ bool FieldReader::checkRange(Value& value) {
         report(value.at, "expected " + withArticle(name) + " that is not zero, found 0 0 0");
         return false;
       }
-      rescale(value);
       return true;
     default:
       const std::string expected = expectedOf(value);
@@ -293,7 +309,7 @@ void FieldReader::readCounted(const CountedBlock& block, const std::function<voi
       }
       readItem();
       ++found;
-    } else if (atEnd() || isOneOf(word_, kSectionWords)) {
+    } else if (atEnd() || isOneOf(word_, sectionWords())) {
       return closeBlock(block.owner);
     } else if (!readOther || !readOther()) {
       found += skipUnknown(block.owner, block.allowed);
@@ -308,6 +324,7 @@ void FieldReader::readCounted(const CountedBlock& block, const std::function<voi
 
 /// Reads the count at the block's start. False where there is none to rely on.
 bool FieldReader::readCount(const CountedBlock& block, int& count) {
+  if (block.countName.empty()) return false;
   if (!isWord(word_, block.countName)) {
     reportExpected(std::string(block.countName) + " at the start of " + std::string(block.owner));
     return false;

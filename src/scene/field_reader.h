@@ -29,6 +29,9 @@ struct Value {
   int whole() const { return int(numbers[0]); }
   Vec3d vector() const { return {numbers[0], numbers[1], numbers[2]}; }
   Vec3f color() const { return Vec3f(vector()); }
+  /// Of a vector that is not zero: brought to a length near 1 by a power of two. The direction
+  /// stays exactly the same, and its squares neither overflow nor vanish.
+  Vec3d direction() const;
 
   const Field* field;
   std::array<double, 3> numbers;
@@ -42,10 +45,14 @@ class Fields {
   /// messages list them.
   Fields(Language language, std::initializer_list<std::string_view> blocks);
 
-  /// Whether the block has a field of that name in this language.
-  bool has(std::string_view name) const;
-  /// The value of that name, which must be one of the block's.
-  const Value& operator[](std::string_view name) const;
+  /// Whether the block was read without a mistake.
+  bool areGood = false;
+
+  /// Whether the block has a field of that meaning in this language.
+  bool has(std::string_view meaning) const;
+  /// The value of that meaning, which must be one of the table's; its default where this language
+  /// has no such field.
+  const Value& operator[](std::string_view meaning) const;
   /// The value that `word` names, be it in the older form; end() where there is none. `next` is
   /// looked at first: the one behind the last that was found, as most blocks are in this order.
   Value* find(std::string_view word, Value* next);
@@ -66,7 +73,7 @@ class Fields {
 /// A block that begins with the count of what it holds.
 struct CountedBlock {
   std::string_view owner;      // "Group"
-  std::string_view countName;  // "numObjects"
+  std::string_view countName;  // "numObjects"; empty in 2020, where nothing is counted
   WordList items;              // what is counted
   WordList allowed;            // what may stand in the block
 };
@@ -85,6 +92,9 @@ class FieldReader {
   Language language() const { return language_; }
   /// Whether objects stand in nodes there, in place of Groups: 2020.
   bool hasNodes() const { return language_ == Language::of2020; }
+
+  /// The words that begin sections there.
+  WordList sectionWords() const { return hasNodes() ? WordList(kNodeSectionWords) : kSectionWords; }
 
   /// The current word; empty at the end of the input.
   std::string_view word() const { return word_; }
@@ -145,15 +155,13 @@ class FieldReader {
   /// Reads one of `choices` and tells which.
   bool readChoice(std::string_view what, WordList choices, std::size_t& index);
 
+  using Blocks = std::initializer_list<std::string_view>;
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.
-  /// A required field that is missing is a mistake too.
-  bool readFields(std::string_view owner, Fields& fields, const OwnReader& readOwn = {});
+  /// The fields are those of the `blocks` of the table. A required field that is missing is a
+  /// mistake too, and so is a value out of its range.
+  Fields readFields(std::string_view owner, Blocks blocks, const OwnReader& readOwn = {});
   /// The same from behind the `{`; messages call `start` the block's place.
-  bool readOpenFields(std::string_view owner, const char* start, Fields& fields,
-                      const OwnReader& readOwn = {});
-  /// Looks at the ranges of the values that were given of the fields that the table lists for
-  /// `block`, in its order.
-  bool checkRanges(std::string_view block, Fields& fields);
+  Fields readOpenFields(std::string_view owner, const char* start, Blocks blocks);
   /// The fields that were given more than once in their block: where again, their names and where
   /// before.
   struct Repeat {
@@ -162,7 +170,7 @@ class FieldReader {
     const char* before;
   };
   const std::vector<Repeat>& repeats() const { return repeats_; }
-  /// The colours with a component above 1 that checkRanges has seen: their places and names.
+  /// The colours with a component above 1 of fields that may have one: their places and names.
   const std::vector<Note>& brightColors() const { return brightColors_; }
 
   /// Reads `{ countName N ... }`. `readItem` reads one counted item, whose name is the current
@@ -178,10 +186,13 @@ class FieldReader {
   void reportBadNumber(std::string_view what, const std::string& kind);
   bool readNumber(double& value, bool isSingle);
   bool readFileName(std::string_view what);
+  bool readNames(std::string_view owner, Fields& fields, const OwnReader& readOwn);
+  void readRest(std::string_view owner, const char* start, Fields& fields,
+                const OwnReader& readOwn);
   void readField(Value& value, const OwnReader& readOwn);
   bool readValue(Value& value, const OwnReader& readOwn);
   void reportMissing(std::string_view owner, const char* start, const Fields& fields);
-  bool checkRange(Value& value);
+  bool checkRange(const Value& value);
   bool checkReflectance(const Value& value);
   bool readCount(const CountedBlock& block, int& count);
 

@@ -102,28 +102,17 @@ const Object3D* NodeReader::readObject() {
   if (!openComponent(kShapeTypes, type)) return nullptr;
   const std::string_view block = kShapeBlocks[type];
   if (objects_.places()) objects_.places()->begin(block, at);
-  Fields fields(in_.language(), {block});
-  const bool isRead = in_.readOpenFields(kShapeTypes[type], at, fields);
-  const bool isGood = in_.checkRanges(block, fields) && isRead;
-  const Object3D* const object = isGood ? objects_.addShape(block, at, fields, material) : nullptr;
+  const Fields fields = in_.readOpenFields(kShapeTypes[type], at, {block});
+  const Object3D* const object =
+      fields.areGood ? objects_.addShape(block, at, fields, material) : nullptr;
   if (objects_.places()) objects_.places()->end(object);
   return object;
 }
 
-/// Lights keep their places in the world: a node that is read cannot move any more.
 void NodeReader::readLight() {
   const char* const at = in_.at();
   std::size_t type = 0;
   if (!openComponent(kLightTypes, type)) return;
-  const std::string_view block = kLightBlocks[type];
-  Fields fields(in_.language(), {block});
-  const bool isRead = in_.readOpenFields("Component<Light>", at, fields);
-  if (!in_.checkRanges(block, fields) || !isRead) return;
-  const Vec3f color = fields["color"].color();
-  if (fields.has("direction")) {
-    const Vec3d direction = toWorld_.transformDirection(fields["direction"].vector());
-    return addLight_(at, std::make_unique<DirectionalLight>(direction, color));
-  }
-  const Vec3d attenuation(nearFalloff_, 0, fields["attenuation"].number());
-  addLight_(at, std::make_unique<PointLight>(toWorld_.transformPoint(Vec3d()), color, attenuation));
+  const Fields fields = in_.readOpenFields("Component<Light>", at, {kLightBlocks[type]});
+  if (fields.areGood) addLight_(at, fields, &toWorld_);
 }

@@ -37,13 +37,11 @@ const Object3D* ObjectReader::readShape() {
   const char* const at = in_.at();
   const Material* const material = materials_.materialFor(owner, at);
   in_.advance();
-  Fields fields(in_.language(), {owner});
-  const bool isRead = in_.readFields(owner, fields);
-  if (!in_.checkRanges(owner, fields) || !isRead) return nullptr;
-  return addShape(owner, at, fields, material);
+  const Fields fields = in_.readFields(owner, {owner});
+  return fields.areGood ? addShape(owner, at, fields, material) : nullptr;
 }
 
-const Object3D* ObjectReader::addShape(std::string_view owner, const char* at, Fields& fields,
+const Object3D* ObjectReader::addShape(std::string_view owner, const char* at, const Fields& fields,
                                        const Material* material) {
   std::unique_ptr<Object3D> shape = makeShape(owner, at, fields, material);
   if (!shape) return nullptr;
@@ -67,7 +65,8 @@ std::unique_ptr<Object3D> ObjectReader::makeShape(std::string_view owner, const 
     return std::make_unique<Sphere>(fields["center"].vector(), fields["radius"].number(), material);
   }
   if (owner == "Plane") {
-    return std::make_unique<Plane>(fields["normal"].vector(), fields["offset"].number(), material);
+    return std::make_unique<Plane>(fields["normal"].direction(), fields["offset"].number(),
+                                   material);
   }
   auto triangle = std::make_unique<Triangle>(fields["vertex0"].vector(), fields["vertex1"].vector(),
                                              fields["vertex2"].vector(), material);

@@ -15,36 +15,19 @@ bool isStepWord(std::string_view word) {
   return std::any_of(std::begin(kSteps), std::end(kSteps), isName);
 }
 
+/// True for a word that begins a block or a setting in any language.
 bool isBlockWord(std::string_view word) {
-  return isOneOf(word, kGroupWords) || isStepWord(word) || isOneOf(word, kLightWords) ||
-         isOneOf(word, kSectionWords) || isOneOf(word, kNodeWords) ||
-         isOneOf(word, kNodeSectionWords);
+  const auto hasWord = [&](const auto& words) { return isOneOf(word, words.first); };
+  return std::any_of(std::begin(kBlockWords), std::end(kBlockWords), hasWord) || isStepWord(word);
 }
 
-/// True for every word of the language.
-bool isKnownWord(std::string_view word) {
-  const auto isName = [&](std::string_view name) { return isWord(word, name); };
-  const auto isField = [&](const Field& field) { return isName(field.name); };
-  return isBlockWord(word) || std::any_of(kCountWords.begin(), kCountWords.end(), isName) ||
-         std::any_of(std::begin(kFields), std::end(kFields), isField);
-}
-
-/// The languages that have the word.
+/// The languages that have the word; 0 for a word of none.
 Languages languagesOf(std::string_view word) {
   Languages languages = 0;
-  for (const Field& field : kFields) {
-    if (isWord(word, field.name)) languages |= field.languages;
-  }
-  for (const Step& step : kSteps) {
-    if (step.name == word) languages |= step.languages;
-  }
-  const auto addIf = [&](bool isTheirs, Languages some) { languages |= isTheirs ? some : 0; };
-  addIf(isOneOf(word, kCountWords) || isOneOf(word, kSectionWords) || isOneOf(word, kGroupWords) ||
-            isOneOf(word, kLightWords),
-        kNot2020);
-  addIf(isOneOf(word, kNodeSectionWords) || isOneOf(word, kNodeWords) ||
-            isOneOf(word, kNodeMaterialWords),
-        kOf2020);
+  for (const auto& [words, some] : kBlockWords) languages |= isOneOf(word, words) ? some : 0;
+  for (const Step& step : kSteps) languages |= step.name == word ? step.languages : 0;
+  for (const Field& field : kFields) languages |= isWord(word, field.name) ? field.languages : 0;
+  for (const auto& name : kCountWords) languages |= isWord(word, name) ? kNot2020 : 0;
   return languages;
 }
 
@@ -112,7 +95,7 @@ void FieldReader::reportBadNumber(std::string_view what, const std::string& kind
   reportExpected(kind + range + " for " + std::string(what));
   if (isAt('{')) {
     skipBlock();
-  } else if (!atEnd() && !isAt('}') && !isKnownWord(word_)) {
+  } else if (!atEnd() && !isAt('}') && languagesOf(word_) == 0) {
     advance();
   }
 }
@@ -167,7 +150,7 @@ bool FieldReader::skipUnknown(std::string_view owner, WordList allowed, Language
     report(at(), "unknown word " + found() + where + "; expected " + listed(allowed));
   }
   if (!isAt('{')) advance();
-  while (!atEnd() && !isAt('}') && !isKnownWord(word_)) {
+  while (!atEnd() && !isAt('}') && languagesOf(word_) == 0) {
     if (isAt('{')) {
       skipBlock();
       return true;

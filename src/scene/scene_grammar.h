@@ -17,9 +17,8 @@ constexpr Languages but(Languages languages) { return ~languages; }
 inline constexpr Languages kEvery = but(0);
 inline constexpr Languages kOf2003 = only(Language::of2003), kOf2012 = only(Language::of2012),
                            kOf2016 = only(Language::of2016), kOf2020 = only(Language::of2020),
-                           kOfThu = only(Language::ofThu), kNot2020 = but(kOf2020);
-/// Those in which materials say shininess, and cameras and objects what they say in 2003.
-inline constexpr Languages kOfShininess = kOf2012 | kOf2016 | kOfThu;
+                           kOfThu = only(Language::ofThu), kNot2003 = but(kOf2003),
+                           kNot2020 = but(kOf2020);
 /// Those in which a background may be a cube map.
 inline constexpr Languages kOfCubeMaps = kOf2012 | kOf2016 | kOf2020;
 /// A course that has the language.
@@ -39,6 +38,7 @@ enum class Form {
   color,      ///< three, as floats
   whole,      ///< one without point and exponent, as an int
   fileName,   ///< any word but a brace
+  choice,     ///< one of kDistributionWords, as its place among them
   ownReader,  ///< what the block's reader reads on its own
 };
 
@@ -48,9 +48,10 @@ enum class Range {
   aboveZero,
   atLeastZero,
   angle,        ///< degrees above 0 and below 180
-  direction,    ///< a vector that is not zero; it is brought to a length near 1 then
+  direction,    ///< a vector that is not zero
   color,        ///< any, but a component above 1 is noted for a warning
   side,         ///< pixels, from 1 to SceneParser::kMostPixels
+  octaves,      ///< from 0 to math::kMaxOctaves
   reflectance,  ///< a colour with components from 0 to 1
 };
 
@@ -64,12 +65,13 @@ struct Field {
   bool isOptional = false;
   std::array<double, 3> defaults{};  // where it is optional
   Languages languages = kEvery;      // that have it
+  std::string_view meaning = name;   // the name by which the program asks for its value
 };
 inline constexpr bool kOptional = true;
 
 /// The fields of each block stand together, in the order in which messages list them; the blocks
 /// that a scene may have a million times come first. A name that languages use in different ways
-/// has a row for each.
+/// has a row for each, and so have two names of one thing.
 inline constexpr Field kFields[] = {
     {"Sphere", "center", Form::vector, Range::any, false, {}, kNot2020},
     {"Sphere", "center", Form::vector, Range::any, kOptional, {}, kOf2020},
@@ -88,7 +90,7 @@ inline constexpr Field kFields[] = {
     {"PerspectiveCamera", "angle", Form::number, Range::angle, false, {}, kNot2020},
     {"PerspectiveCamera", "width", Form::whole, Range::side, kOptional, {}, kOfThu},
     {"PerspectiveCamera", "height", Form::whole, Range::side, kOptional, {}, kOfThu},
-    {"Camera", "fov", Form::number, Range::angle, false, {}, kOf2020},
+    {"Camera", "fov", Form::number, Range::angle, false, {}, kOf2020, "angle"},
 
     {"DirectionalLight", "direction", Form::vector, Range::direction},
     {"DirectionalLight", "color", Form::color},
@@ -98,7 +100,7 @@ inline constexpr Field kFields[] = {
     {"PointLight", "falloff", Form::number, Range::any, kOptional, {}, kOf2012},
     {"PointLight", "falloff", Form::number, Range::any, false, {}, kOf2016},
     {"point light", "color", Form::color, Range::any, false, {}, kOf2020},
-    {"point light", "attenuation", Form::number, Range::any, kOptional, {20}, kOf2020},
+    {"point light", "attenuation", Form::number, Range::any, kOptional, {20}, kOf2020, "falloff"},
 
     {"Background", "color", Form::color, Range::color, kOptional, {0.5, 0.5, 0.5}},
     {"Background", "ambientLight", Form::color, Range::color, kOptional, {}, but(kOfThu)},
@@ -109,20 +111,20 @@ inline constexpr Field kFields[] = {
     {"any material", "reflectiveColor", Form::color, Range::color, kOptional, {}, kNot2020},
     {"any material", "indexOfRefraction", Form::single, Range::aboveZero, kOptional, {1}, kNot2020},
     {"any material", "priority", Form::whole, Range::any, kOptional, {}, kNot2020},
-    {"PhongMaterial", "specularColor", Form::color, Range::color, kOptional, {}, kNot2020},
-    {"PhongMaterial", "exponent", Form::single, Range::atLeastZero, kOptional, {1}, kOf2003},
-    {"PhongMaterial", "shininess", Form::single, Range::atLeastZero, kOptional, {}, kOfShininess},
-    {"PhongMaterial", "refractionIndex", Form::single, Range::atLeastZero, kOptional, {}, kOf2012},
-    {"PhongMaterial", "texture", Form::fileName, Range::any, kOptional, {}, kOf2012},
-    {"PhongMaterial", "Noise", Form::ownReader, Range::any, kOptional, {}, kOf2012},
-    {"PhongMaterial", "bump", Form::fileName, Range::any, kOptional, {}, kOf2012 | kOf2016},
-    {"node material", "diffuse", Form::color, Range::color, kOptional, {1, 1, 1}, kOf2020},
-    {"node material", "specular", Form::color, Range::color, kOptional, {}, kOf2020},
-    {"node material", "shininess", Form::single, Range::atLeastZero, kOptional, {}, kOf2020},
+    {"Phong", "specularColor", Form::color, Range::color, kOptional, {}, kNot2020},
+    {"Phong", "exponent", Form::single, Range::atLeastZero, kOptional, {1}, kOf2003},
+    {"Phong", "shininess", Form::single, Range::atLeastZero, kOptional, {}, kNot2003, "exponent"},
+    {"Phong", "refractionIndex", Form::single, Range::atLeastZero, kOptional, {}, kOf2012},
+    {"Phong", "texture", Form::fileName, Range::any, kOptional, {}, kOf2012},
+    {"Phong", "Noise", Form::ownReader, Range::any, kOptional, {}, kOf2012},
+    {"Phong", "bump", Form::fileName, Range::any, kOptional, {}, kOf2012 | kOf2016},
+    {"node", "diffuse", Form::color, Range::color, kOptional, {1, 1, 1}, kOf2020, "diffuseColor"},
+    {"node", "specular", Form::color, Range::color, kOptional, {}, kOf2020, "specularColor"},
+    {"node", "shininess", Form::single, Range::atLeastZero, kOptional, {}, kOf2020, "exponent"},
     {"CookTorranceMaterial", "roughness", Form::single, Range::aboveZero, kOptional, {0.2}},
     {"CookTorranceMaterial", "index", Form::single, Range::aboveZero, kOptional, {1.5}},
     {"CookTorranceMaterial", "specularColor", Form::color, Range::reflectance, kOptional},
-    {"CookTorranceMaterial", "distribution", Form::ownReader, Range::any, kOptional},
+    {"CookTorranceMaterial", "distribution", Form::choice, Range::any, kOptional},
     {"WardMaterial", "specularColor", Form::color, Range::color, kOptional},
     {"WardMaterial", "roughnessX", Form::single, Range::aboveZero, kOptional, {0.2}},
     {"WardMaterial", "roughnessY", Form::single, Range::aboveZero, kOptional, {0.2}},
@@ -132,12 +134,12 @@ inline constexpr Field kFields[] = {
     {"any texture", "Transform", Form::ownReader, Range::any, kOptional},
     {"any texture", "materialIndex", Form::ownReader},
     {"Checkerboard", "size", Form::number, Range::aboveZero, kOptional, {1}},
-    {"Noise", "octaves", Form::ownReader},
+    {"Noise", "octaves", Form::whole, Range::octaves},
     {"noise of colors", "color", Form::ownReader},
-    {"noise of colors", "octaves", Form::ownReader},
+    {"noise of colors", "octaves", Form::whole, Range::octaves},
     {"noise of colors", "frequency", Form::number},
     {"noise of colors", "amplitude", Form::number},
-    {"any wave", "octaves", Form::ownReader},
+    {"any wave", "octaves", Form::whole, Range::octaves},
     {"any wave", "frequency", Form::number},
     {"any wave", "amplitude", Form::number},
 };
@@ -163,7 +165,7 @@ inline constexpr Step kSteps[] = {
     {"ZRotate", 1, false, "ZRotate", kNot2020},
     {"Rotate", 4, true, "Rotate", kNot2020},
     {"Matrix", kMostStepNumbers, true, "Matrix", kNot2020},
-    {"Matrix4f", kMostStepNumbers, true, "Matrix", kOfShininess},
+    {"Matrix4f", kMostStepNumbers, true, "Matrix", kOf2012 | kOf2016 | kOfThu},
     {"translate", 3, false, "Translate", kOf2020},
     {"scale", 3, true, "Scale", kOf2020},
     {"x_rotate", 1, false, "XRotate", kOf2020},
@@ -224,3 +226,8 @@ inline constexpr WordArray<2> kLightBlocks = {"point light", "DirectionalLight"}
 inline constexpr WordArray<3> kCountWords = {"numLights", "numMaterials", "numObjects"};
 /// What a CookTorranceMaterial's distribution may be, the default first.
 inline constexpr WordArray<2> kDistributionWords = {"GGX", "Beckmann"};
+/// The words that begin a block or a setting, but for steps, and the languages that have them.
+inline constexpr std::pair<WordList, Languages> kBlockWords[] = {
+    {kGroupWords, kNot2020},      {kSectionWords, kNot2020}, {kLightWords, kNot2020},
+    {kNodeSectionWords, kOf2020}, {kNodeWords, kOf2020},     {kNodeMaterialWords, kOf2020},
+};

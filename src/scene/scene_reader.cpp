@@ -14,10 +14,10 @@
 namespace {
 
 /// True when the two are parallel as far as decimal numbers can tell: the sine of the angle
-/// between them is below 1e-14, some 50 times the rounding error of the test. Both have been
-/// brought to lengths near 1 (Range::direction).
+/// between them is below 1e-14, some 50 times the rounding error of the test. Their lengths are
+/// near 1 (Value::direction); one that is 0 is parallel to none.
 bool areParallel(const Vec3d& a, const Vec3d& b) {
-  return length(cross(a, b)) <= 1e-14 * length(a) * length(b);
+  return length(cross(a, b)) < 1e-14 * length(a) * length(b);
 }
 
 }  // namespace
@@ -43,48 +43,31 @@ void SceneReader::read() {
 }
 
 void SceneReader::readSection() {
-  if (in_.hasNodes()) return readNodeSection();
+  struct Section {
+    std::string_view word;
+    std::string_view once;  // what may stand once
+    void (SceneReader::*read)();
+  };
+  static constexpr Section kSections[] = {
+      {"OrthographicCamera", "camera", &SceneReader::readCamera},
+      {"PerspectiveCamera", "camera", &SceneReader::readCamera},
+      {"Camera", "camera", &SceneReader::readCamera},
+      {"Lights", "Lights", &SceneReader::readLights},
+      {"Background", "Background", &SceneReader::readBackground},
+      {"Materials", "Materials", &SceneReader::readMaterials},
+      {"Group", "", &SceneReader::readGroup},
+      {"Scene", "Scene", &SceneReader::readNodes},
+  };
   const std::string_view word = in_.word();
-  if (!isOneOf(word, kSectionWords)) return readMisplaced();
+  if (!isOneOf(word, in_.sectionWords())) return readMisplaced();
   in_.setQuiet(false);
-  if (word == "Lights") {
-    readLights();
-  } else if (word == "Background") {
-    readBackground();
-  } else if (word == "Materials") {
-    reportSecond("Materials");
-    if (hasGroup_) {
-      in_.report(in_.at(), "Materials must come before the first Group");
-    }
-    in_.advance();
-    materials_.readSection();
-  } else if (word == "Group") {
-    hasGroup_ = true;
-    if (const Object3D* group = objects_.read()) scene_.group_.addObject(group);
-  } else {
-    readCamera();
+  const Section* section = kSections;
+  while (section->word != word) ++section;
+  if (!section->once.empty() && !seen_.insert(section->once).second) {
+    in_.report(in_.at(), "a second " + std::string(section->once) + ": expected only one, found " +
+                             quoted(word));
   }
-}
-
-/// A section of 2020, where objects and lights stand in one Scene of nodes.
-void SceneReader::readNodeSection() {
-  const std::string_view word = in_.word();
-  if (!isOneOf(word, kNodeSectionWords)) return readMisplaced();
-  in_.setQuiet(false);
-  if (word == "Camera") return readCamera();
-  if (word == "Background") return readBackground();
-  reportSecond(word);
-  if (word == "Materials") {
-    if (hasGroup_) in_.report(in_.at(), "Materials must come before Scene");
-    in_.advance();
-    return materials_.readNodeMaterials();
-  }
-  hasGroup_ = true;
-  lightsAt_ = in_.at();
-  NodeReader nodes(
-      in_, materials_, objects_, rules_.nearFalloff,
-      [this](const char* at, std::unique_ptr<Light> light) { addLight(at, std::move(light)); });
-  if (const Object3D* scene = nodes.read()) scene_.group_.addObject(scene);
+  (this->*section->read)();
 }
 
 /// Something that is no section. What follows it up to the next section is its consequence.
@@ -97,102 +80,108 @@ void SceneReader::readMisplaced() {
     in_.report(in_.at(), "expected " + quoted(word) + " inside a Group, found it outside");
     in_.skipWordAndBlock();
   } else {
-    in_.skipUnknown("the scene", in_.hasNodes() ? WordList(kNodeSectionWords) : kSectionWords);
+    in_.skipUnknown("the scene", in_.sectionWords());
   }
   in_.setQuiet(true);
   hasMisplaced_ = true;
 }
 
-/// Camera, Lights, Background and Materials may stand once. The second one is read all the same.
-void SceneReader::reportSecond(std::string_view what) {
-  if (seen_.insert(what).second) return;
-  in_.report(in_.at(),
-             "a second " + std::string(what) + ": expected only one, found " + quoted(in_.word()));
-}
-
 void SceneReader::readCamera() {
-  reportSecond("camera");
   const std::string_view owner = in_.word();
   in_.advance();
-  Fields fields(in_.language(), {"any camera", owner});
-  const bool areFieldsGood = in_.readFields(owner, fields);
+  const Fields fields = in_.readFields(owner, {"any camera", owner});
   const Value &direction = fields["direction"], &up = fields["up"];
-  const Vec3d writtenUp = up.vector();  // whose length may count
-  const bool areBothGiven = in_.checkRanges("any camera", fields) && direction.at && up.at;
-  const bool isParallel = areBothGiven && areParallel(direction.vector(), up.vector());
-  if (isParallel) {
+  if (direction.at && up.at && areParallel(direction.direction(), up.direction())) {
     in_.report(up.at, "expected an up that is not parallel to direction, found them parallel");
+    return;
   }
-  if (!in_.checkRanges(owner, fields) || !areFieldsGood || !areBothGiven || isParallel) return;
+  if (!fields.areGood) return;
   const Vec3d center = fields["center"].vector();
-  CameraFrame frame = CameraFrame::turned(direction.vector(), up.vector());
-  setUp(frame, writtenUp);
+  const CameraFrame frame = frameOf(direction, up);
   if (owner == "OrthographicCamera") {
     scene_.camera_ = std::make_unique<OrthographicCamera>(center, frame, fields["size"].number());
     return;
   }
-  const double angle = fields[owner == "Camera" ? "fov" : "angle"].number();
-  scene_.camera_ = std::make_unique<PerspectiveCamera>(center, frame, math::radians(angle));
-  if (fields.has("width")) {
-    scene_.pictureSize_ = {fields["width"].whole(), fields["height"].whole()};
-  }
+  const double angle = math::radians(fields["angle"].number());
+  scene_.camera_ = std::make_unique<PerspectiveCamera>(center, frame, angle);
+  scene_.pictureSize_ = {fields["width"].whole(), fields["height"].whole()};
 }
 
-/// Right and up as the rules make them of `up`; `frame` has them turned.
-void SceneReader::setUp(CameraFrame& frame, const Vec3d& up) const {
+/// Right and up as the rules make them of the `up` that is given, whose length may count.
+CameraFrame SceneReader::frameOf(const Value& direction, const Value& up) const {
   using Up = SceneRules::CameraUp;
-  if (rules_.cameraUp == Up::turned) return;
-  frame.up = rules_.cameraUp == Up::unit ? normalize(up) : up;
-  if (rules_.cameraUp != Up::unscaled) return;
-  frame.right = cross(frame.direction, up);
+  CameraFrame frame = CameraFrame::turned(direction.direction(), up.direction());
+  if (rules_.cameraUp == Up::turned) return frame;
+  frame.up = rules_.cameraUp == Up::unit ? normalize(up.vector()) : up.vector();
+  if (rules_.cameraUp != Up::unscaled) return frame;
+  frame.right = cross(frame.direction, up.vector());
   frame.up = cross(frame.right, frame.direction);
+  return frame;
 }
 
 void SceneReader::readLights() {
-  reportSecond("Lights");
   lightsAt_ = in_.at();
   in_.advance();
-  in_.readCounted({"Lights", "numLights", kLightWords, kLightWords}, [this] { readLight(); });
+  in_.readCounted({"Lights", "numLights", kLightWords, kLightWords}, [this] {
+    const std::string_view owner = in_.word();
+    const char* const at = in_.at();
+    in_.advance();
+    const Fields fields = in_.readFields(owner, {owner});
+    if (fields.areGood) addLight(at, fields, nullptr);
+  });
 }
 
-void SceneReader::readLight() {
-  const std::string_view owner = in_.word();
-  const char* const at = in_.at();
-  in_.advance();
-  Fields fields(in_.language(), {owner});
-  const bool isRead = in_.readFields(owner, fields);
-  if (!in_.checkRanges(owner, fields) || !isRead) return;
+/// Lights keep their places in the world: `toWorld` is null where a light's place is there.
+void SceneReader::addLight(const char* at, const Fields& fields, const Matrix* toWorld) {
+  notes_.lightStarts.push_back(at);
   const Vec3f color = fields["color"].color();
-  if (owner == "DirectionalLight") {
-    addLight(at, std::make_unique<DirectionalLight>(fields["direction"].vector(), color));
+  if (fields.has("direction")) {
+    const Vec3d direction = fields["direction"].direction();
+    scene_.lights_.push_back(std::make_unique<DirectionalLight>(
+        toWorld ? toWorld->transformDirection(direction) : direction, color));
     return;
   }
-  Vec3d attenuation(1, 0, 0);
-  if (fields.has("attenuation")) {
-    attenuation = fields["attenuation"].vector();
-  } else if (fields.has("falloff")) {
-    attenuation = {rules_.nearFalloff, 0, fields["falloff"].number()};
-  }
-  addLight(at, std::make_unique<PointLight>(fields["position"].vector(), color, attenuation));
-}
-
-void SceneReader::addLight(const char* at, std::unique_ptr<Light> light) {
-  notes_.lightStarts.push_back(at);
-  scene_.lights_.push_back(std::move(light));
+  const Vec3d place = toWorld ? toWorld->transformPoint(Vec3d()) : fields["position"].vector();
+  const Vec3d attenuation = fields.has("falloff")
+                                ? Vec3d(rules_.nearFalloff, 0, fields["falloff"].number())
+                                : fields["attenuation"].vector();
+  scene_.lights_.push_back(std::make_unique<PointLight>(place, color, attenuation));
 }
 
 void SceneReader::readBackground() {
-  reportSecond("Background");
   in_.advance();
-  Fields fields(in_.language(), {"Background"});
-  in_.readFields("Background", fields);
-  in_.checkRanges("Background", fields);
+  const Fields fields = in_.readFields("Background", {"Background"});
   std::optional<CubeMap> cubeMap;
-  if (fields.has("cubeMap") && fields["cubeMap"].at) {
-    cubeMap = pictures_.findCube(in_.fileNameAt(fields["cubeMap"].at), rules_.cubeMapEnding);
+  if (const char* const folder = fields["cubeMap"].at) {
+    cubeMap = pictures_.findCube(in_.fileNameAt(folder), rules_.cubeMapEnding);
   }
   scene_.background_ = Background(fields["color"].color(), cubeMap);
-  if (fields.has("ambientLight")) scene_.ambientLight_ = fields["ambientLight"].color();
+  scene_.ambientLight_ = fields["ambientLight"].color();
+}
+
+void SceneReader::readMaterials() {
+  if (hasGroup_) {
+    in_.report(in_.at(), std::string("Materials must come before ") +
+                             (in_.hasNodes() ? "Scene" : "the first Group"));
+  }
+  in_.advance();
+  materials_.readSection();
+}
+
+void SceneReader::readGroup() {
+  hasGroup_ = true;
+  if (const Object3D* group = objects_.read()) scene_.group_.addObject(group);
+}
+
+/// The Scene of 2020, in which objects and lights stand in nodes.
+void SceneReader::readNodes() {
+  hasGroup_ = true;
+  lightsAt_ = in_.at();
+  NodeReader nodes(in_, materials_, objects_,
+                   [this](const char* at, const Fields& fields, const Matrix* toWorld) {
+                     addLight(at, fields, toWorld);
+                   });
+  if (const Object3D* scene = nodes.read()) scene_.group_.addObject(scene);
 }
 
 /// What can only be said once everything is read.

@@ -21,6 +21,7 @@
 #include "scene/object_places.h"
 #include "scene/scene_parser.h"
 #include "shading/optics.h"
+#include "shading/phong_material.h"
 #include "shading/solid_texture.h"
 
 /// A material as it stands in the file.
@@ -99,8 +100,6 @@ class MaterialReader {
   void readInline();
   /// The setting of that name, from there on: the material that holds for the objects that follow.
   void readIndex(std::string_view name = "MaterialIndex");
-  /// The section Materials of 2020, from behind its name.
-  void readNodeMaterials();
   /// The material that holds now, not owned, and its number in the scene.
   struct Selection {
     const Material* material = nullptr;
@@ -117,29 +116,15 @@ class MaterialReader {
   struct TextureWords {
     Matrix toTexture;
     std::vector<SolidTexture::Component> components;
-    int octaves = 1;
     bool hasTransform = false, areIndicesGood = true;
-  };
-
-  /// What the block of a material with a highlight says.
-  struct PhongWords {
-    Vec3f diffuse, specular, transparent, reflective;
-    float index = 1;
-    const Value* exponent = nullptr;
-    const DiffuseMap* map = nullptr;  // not owned
-  };
-
-  /// What of a material's block is read by functions of their own.
-  struct OwnWords {
-    std::size_t distribution = 0;
-    std::unique_ptr<NoiseMap> noise;
   };
 
   void add();
   std::unique_ptr<Material> read();
-  std::unique_ptr<Material> make(std::string_view owner, const Fields& fields, OwnWords& own);
-  std::unique_ptr<Material> readNodeMaterial(std::string_view owner);
-  std::unique_ptr<Material> makePhong(std::string_view owner, PhongWords& words);
+  std::unique_ptr<Material> make(std::string_view owner, const Fields& fields);
+  std::unique_ptr<Material> makePhong(std::string_view owner, const Fields& fields,
+                                      std::unique_ptr<NoiseMap> noise);
+  void setHighlight(PhongMaterial& material, std::string_view owner);
   Fresnel fresnelOf(const Fields& fields);
   bool readNoise(std::unique_ptr<NoiseMap>& noise);
   const DiffuseMap* mapOf(const Fields& fields, std::unique_ptr<NoiseMap> noise);
@@ -148,7 +133,8 @@ class MaterialReader {
                                         const TextureWords& words);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
   bool readTextureIndex(std::string_view owner, TextureWords& words);
-  bool readOctaves(int& octaves);
+  std::optional<std::size_t> listedIndex(int index, const char* at, const std::string& name,
+                                         const std::string& listedWhere);
 
   FieldReader& in_;
   SceneNotes& notes_;
@@ -184,7 +170,7 @@ class ObjectReader {
   /// The object whose name is the current word, one of kObjectWords.
   const Object3D* read();
   /// A shape of that kind with the fields and material that were read; null where they are wrong.
-  const Object3D* addShape(std::string_view owner, const char* at, Fields& fields,
+  const Object3D* addShape(std::string_view owner, const char* at, const Fields& fields,
                            const Material* material);
   const Object3D* keep(std::unique_ptr<Object3D> object);
   /// What is told where objects stand; may be null.
@@ -222,16 +208,12 @@ bool checkInverse(FieldReader& in, const char* at, const Matrix& product);
 /// material hold for all in it; the objects of a Node are a Group.
 class NodeReader {
  public:
-  using AddLight = std::function<void(const char* at, std::unique_ptr<Light> light)>;
+  /// Makes the light at `at`, which has these fields and stands so in the world.
+  using AddLight = std::function<void(const char* at, const Fields& fields, const Matrix* toWorld)>;
 
-  /// All must outlive the reader. `nearFalloff` as in SceneRules.
-  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, double nearFalloff,
-             AddLight addLight)
-      : in_(in),
-        materials_(materials),
-        objects_(objects),
-        nearFalloff_(nearFalloff),
-        addLight_(std::move(addLight)) {}
+  /// All must outlive the reader.
+  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, AddLight addLight)
+      : in_(in), materials_(materials), objects_(objects), addLight_(std::move(addLight)) {}
 
   /// The Scene or Node whose name is the current word; null where it is nested too deep. The scene
   /// owns the result.
@@ -255,7 +237,6 @@ class NodeReader {
   FieldReader& in_;
   MaterialReader& materials_;
   ObjectReader& objects_;
-  const double nearFalloff_;
   const AddLight addLight_;
   Matrix toWorld_;  // of the node that is being read
   int depth_ = 0;
@@ -273,15 +254,15 @@ class SceneReader {
 
  private:
   void readSection();
-  void readNodeSection();
   void readMisplaced();
-  void reportSecond(std::string_view what);
   void readCamera();
+  CameraFrame frameOf(const Value& direction, const Value& up) const;
   void readLights();
-  void readLight();
-  void addLight(const char* at, std::unique_ptr<Light> light);
-  void setUp(CameraFrame& frame, const Vec3d& up) const;
+  void addLight(const char* at, const Fields& fields, const Matrix* toWorld);
   void readBackground();
+  void readMaterials();
+  void readGroup();
+  void readNodes();
   void finish();
   void warnOfEmptiness();
   void tellRepeats();
