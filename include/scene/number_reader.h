@@ -7,19 +7,18 @@
 /// True when `word`, as a whole, is written as a number, be it ever so large or small.
 bool isNumber(std::string_view word);
 
-/// Stores in `value` the double nearest to the number that `word` is, ties to even, and returns
-/// true. Too small a number gives a denormal or a zero of its sign. Returns false and leaves
-/// `value` as it was where `word` is no number, or one too large for the type.
-bool readDouble(std::string_view word, double& value);
+/// For T float or double: stores in `value` the T nearest to the number that `word` is, ties to
+/// even (rounded once, straight from the decimal digits), and returns true. Too small a number
+/// gives a denormal or a zero of its sign. Returns false and leaves `value` as it was where `word`
+/// is no number, or one too large for the type.
+template <class T>
+bool readNumber(std::string_view word, T& value);
 
-/// The same for float; rounded once, straight from the decimal digits.
-bool readFloat(std::string_view word, float& value);
-
-/// Read the longest number that begins at `p`, store it like readDouble and readFloat, and return
-/// where it ends, which is the whole word if that is the word's end. Return null, and leave `value`
-/// as it was, where no number begins, its exponent has no digits, or it is too large.
-const char* scanDouble(const char* p, const char* end, double& value);
-const char* scanFloat(const char* p, const char* end, float& value);
+/// Reads the longest number that begins at `p`, stores it like readNumber, and returns where it
+/// ends, which is the whole word if that is the word's end. Returns null, and leaves `value` as it
+/// was, where no number begins, its exponent has no digits, or it is too large.
+template <class T>
+const char* scanNumber(const char* p, const char* end, T& value);
 
 /// Stores the whole number that `word` is ([+-] digits) and returns true. Returns false and leaves
 /// `value` as it was for anything else (5.0, 1e3), and where it does not fit in an int.

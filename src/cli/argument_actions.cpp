@@ -124,7 +124,7 @@ void setSize(Words words, Draft& draft) {
 
 void setWeight(Words words, Draft& draft) {
   float& weight = draft.render.picture.render.minWeight;
-  if (!readFloat(words[0], weight) || weight < 0) failAtLeastZero(words, "");
+  if (!readNumber(words[0], weight) || weight < 0) failAtLeastZero(words, "");
 }
 
 /// Without -epsilon its kind stays automatic.
@@ -134,7 +134,7 @@ void setEpsilon(Words words, Draft& draft) {
   epsilon = {Epsilon::Kind::fixed, picture.course->render.epsilon.value};
   if (words[0] == "adaptive") epsilon.kind = Epsilon::Kind::adaptive;
   if (words[0] == "adaptive" || words[0] == "course") return;
-  if (!readDouble(words[0], epsilon.value) || epsilon.value < 0) {
+  if (!readNumber(words[0], epsilon.value) || epsilon.value < 0) {
     failAtLeastZero(words, ", course or adaptive");
   }
 }

@@ -32,14 +32,14 @@ int ArgumentWords::integer(std::size_t index, int least, int most) const {
 double ArgumentWords::number(std::size_t index, double least, double most,
                              const std::string& expected) const {
   double value = 0;
-  if (!readDouble(words_[index], value) || value < least || value > most) fail(index, expected);
+  if (!readNumber(words_[index], value) || value < least || value > most) fail(index, expected);
   return value;
 }
 
 /// What looks like a number but is too large, 1e999, is told apart from what is none.
 double ArgumentWords::anyNumber(std::size_t index, const std::string& what) const {
   double value = 0;
-  if (readDouble(words_[index], value)) return value;
+  if (readNumber(words_[index], value)) return value;
   fail(index, (isNumber(words_[index]) ? "a number within range for " : "a number for ") + what);
 }
 

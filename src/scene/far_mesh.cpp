@@ -44,7 +44,7 @@ void readObjPlaces(std::string_view statements, std::vector<Vec3d>& places) {
     Vec3d& place = places.emplace_back();
     ++p;
     for (int axis = 0; axis < 3; ++axis) {
-      const char* const stop = scanDouble(words.findWord(p), words.end(), place[axis]);
+      const char* const stop = scanNumber(words.findWord(p), words.end(), place[axis]);
       if (stop) p = stop;
     }
     return p;

@@ -28,22 +28,24 @@ std::size_t countOf(Form form) { return form == Form::vector || form == Form::co
 
 /// What one number must be, where it is not; "" where it is.
 std::string expectedOf(const Value& value) {
-  constexpr int kMost = SceneParser::kMostPixels;
   const std::string name(value.field->name);
   const double number = value.number();
-  const Range range = value.field->range;
-  if (range == Range::atLeastZero && number < 0) return name + " of at least 0";
-  if (range == Range::side && (number < 1 || number > kMost)) {
-    return name + " from 1 to " + std::to_string(kMost);
+  const auto between = [&](int least, int most) {
+    if (number >= least && number <= most) return std::string();
+    return name + " from " + std::to_string(least) + " to " + std::to_string(most);
+  };
+  switch (value.field->range) {
+    case Range::atLeastZero:
+      return number < 0 ? name + " of at least 0" : "";
+    case Range::side:
+      return between(1, SceneParser::kMostPixels);
+    case Range::octaves:
+      return between(0, math::kMaxOctaves);
+    default:
+      if (number <= 0) return name + " above 0";
+      const bool isTooWide = value.field->range == Range::angle && number >= 180;
+      return isTooWide ? "an angle below 180 degrees" : "";
   }
-  if (range == Range::octaves && (number < 0 || number > math::kMaxOctaves)) {
-    return name + " from 0 to " + std::to_string(math::kMaxOctaves);
-  }
-  if (range == Range::aboveZero || range == Range::angle) {
-    if (number <= 0) return name + " above 0";
-    if (range == Range::angle && number >= 180) return "an angle below 180 degrees";
-  }
-  return "";
 }
 
 }  // namespace
@@ -78,8 +80,8 @@ bool FieldReader::readNumber(double& value, bool isSingle) {
   double found = 0;
   float single = 0;
   const char* const stop = atEnd()    ? nullptr
-                           : isSingle ? scanFloat(start, tokenizer_.end(), single)
-                                      : scanDouble(start, tokenizer_.end(), found);
+                           : isSingle ? scanNumber(start, tokenizer_.end(), single)
+                                      : scanNumber(start, tokenizer_.end(), found);
   if (!stop || stop != start + word_.size()) return false;
   value = isSingle ? double(single) : found;
   advance();
@@ -162,29 +164,21 @@ std::string_view FieldReader::fileNameAt(const char* at) const {
 
 // Fields.
 
-Fields FieldReader::readFields(std::string_view owner, Blocks blocks, const OwnReader& readOwn) {
+Fields FieldReader::readFields(std::string_view owner,
+                               std::initializer_list<std::string_view> blocks,
+                               const OwnReader& readOwn, const char* start) {
   Fields fields(language_, blocks);
-  const char* const start = at();
-  if (openBlock(owner)) readRest(owner, start, fields, readOwn);
-  return fields;
-}
-
-Fields FieldReader::readOpenFields(std::string_view owner, const char* start, Blocks blocks) {
-  Fields fields(language_, blocks);
-  readRest(owner, start, fields, {});
-  return fields;
-}
-
-void FieldReader::readRest(std::string_view owner, const char* start, Fields& fields,
-                           const OwnReader& readOwn) {
   const std::size_t mistakesBefore = mistakeCount_;
+  const char* const place = start ? start : at();
+  if (!start && !openBlock(owner)) return fields;
   const bool isWhole = readNames(owner, fields, readOwn);
-  if (isWhole && mistakeCount_ == mistakesBefore) reportMissing(owner, start, fields);
+  if (isWhole && mistakeCount_ == mistakesBefore) reportMissing(owner, place, fields);
   fields.areGood = isWhole && mistakeCount_ == mistakesBefore;
   for (const Value& value : fields) {
     const bool isLimited = value.at && value.field->range != Range::any;
     if (isLimited) fields.areGood &= checkRange(value);
   }
+  return fields;
 }
 
 /// Reads fields up to the block's }, and takes that. False where the block does not end so.

@@ -155,13 +155,12 @@ class FieldReader {
   /// Reads one of `choices` and tells which.
   bool readChoice(std::string_view what, WordList choices, std::size_t& index);
 
-  using Blocks = std::initializer_list<std::string_view>;
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.
   /// The fields are those of the `blocks` of the table. A required field that is missing is a
-  /// mistake too, and so is a value out of its range.
-  Fields readFields(std::string_view owner, Blocks blocks, const OwnReader& readOwn = {});
-  /// The same from behind the `{`; messages call `start` the block's place.
-  Fields readOpenFields(std::string_view owner, const char* start, Blocks blocks);
+  /// mistake too, and so is a value out of its range. Where the `{` has been taken already, `start`
+  /// is the block's place for messages.
+  Fields readFields(std::string_view owner, std::initializer_list<std::string_view> blocks,
+                    const OwnReader& readOwn = {}, const char* start = nullptr);
   /// The fields that were given more than once in their block: where again, their names and where
   /// before.
   struct Repeat {
@@ -187,8 +186,6 @@ class FieldReader {
   bool readNumber(double& value, bool isSingle);
   bool readFileName(std::string_view what);
   bool readNames(std::string_view owner, Fields& fields, const OwnReader& readOwn);
-  void readRest(std::string_view owner, const char* start, Fields& fields,
-                const OwnReader& readOwn);
   void readField(Value& value, const OwnReader& readOwn);
   bool readValue(Value& value, const OwnReader& readOwn);
   void reportMissing(std::string_view owner, const char* start, const Fields& fields);

@@ -5,7 +5,7 @@
 // there and can be read is taken; what was found out is kept, by name, so that a million objects
 // with one mesh look for it once, and a missing one is told once.
 //
-// Names that lead to one file share what was read of it. What is broken is kept as null, so that
+// Names that lead to one file share what was read of it. What is broken is kept as that, so that
 // its mistakes are told once too.
 #include "scene/named_files.h"
 
@@ -35,10 +35,10 @@ std::string unquoted(std::string_view name) {
   return text;
 }
 
-const std::string& NamedFiles::find(std::string_view name, const char* at, const Reader& read) {
-  const auto known = byName_.find(name);
-  if (known != byName_.end()) return known->second;
-  return byName_[std::string(name)] = locate(name, at, read);
+std::size_t NamedFiles::find(std::string_view name, const char* at, const Reader& read) {
+  auto known = byName_.find(name);
+  if (known == byName_.end()) known = byName_.emplace(name, locate(name, at, read)).first;
+  return known->second.empty() ? kBroken : byPath_[known->second];
 }
 
 bool NamedFiles::exists(std::string_view name) const {
@@ -63,13 +63,18 @@ void NamedFiles::report(const char* at, const std::string& message) const {
 }
 
 /// The path without links by which the file is known, or "" after a report of all that was tried.
-std::string NamedFiles::locate(std::string_view name, const char* at, const Reader& read) const {
+std::string NamedFiles::locate(std::string_view name, const char* at, const Reader& read) {
   std::string tried;
   for (const std::string& path : candidates(name)) {
     std::error_code error;
     std::string key = std::filesystem::canonical(path, error).string();
     std::string reason = error.message();
-    if (!error && read(path, key, reason)) return key;
+    std::size_t number = kBroken;
+    const bool isKnown = byPath_.count(key) > 0;
+    if (isKnown || (!error && read(path, number, reason))) {
+      if (!isKnown) byPath_[key] = number;
+      return key;
+    }
     tried += (tried.empty() ? "" : ", ") + quoted(path, kShownPath) + " (" + reason + ")";
   }
   const std::string why = name.size() > kLongestPath ? "a path has at most 4096 bytes"
@@ -100,18 +105,17 @@ std::vector<std::string> NamedFiles::candidates(std::string_view name) const {
 
 const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
   isNew = false;
-  const auto readNew = [&](const std::string& path, const std::string& key, std::string& reason) {
-    if (byPath_.count(key) > 0) return true;
-    return isNew = read(path, key, name, reason);
+  const auto readNew = [&](const std::string& path, std::size_t& number, std::string& reason) {
+    return isNew = read(path, name, number, reason);
   };
-  const std::string& path = files_.find(name, name.data(), readNew);
-  return path.empty() ? nullptr : byPath_[path];
+  const std::size_t number = files_.find(name, name.data(), readNew);
+  return number == NamedFiles::kBroken ? nullptr : meshes_[number].get();
 }
 
-/// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then null is
-/// kept in its place. What a mesh tells of its corners is read from one text too, as it is asked
+/// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then it is
+/// broken. What a mesh tells of its corners is read from one text too, as it is asked
 /// for seldom. False, and a reason, where the file cannot be read.
-bool MeshLibrary::read(const std::string& path, const std::string& key, std::string_view name,
+bool MeshLibrary::read(const std::string& path, std::string_view name, std::size_t& number,
                        std::string& reason) {
   const std::size_t mistakesBefore = log_.count();
   warnings_.clear();
@@ -124,13 +128,12 @@ bool MeshLibrary::read(const std::string& path, const std::string& key, std::str
     const auto place = std::size_t(name.data() - scene_.bytes().data());
     mesh = readText(path, std::move(bytes), place, details);
   }
-  const MeshGeometry*& kept = byPath_[key];
   if (log_.count() > mistakesBefore) return true;
   const bool isFlat = rules_.meshNormals == MeshNormals::flat ||
                       mesh.getVertices().size() <= rules_.mostFlatVertices;
   if (!isFlat) makeSmooth(mesh, rules_.meshNormals);
+  number = meshes_.size();
   meshes_.push_back(std::make_unique<MeshGeometry>(std::move(mesh)));
-  kept = meshes_.back().get();
   return true;
 }
 
@@ -155,19 +158,17 @@ MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, s
 
 const ImageTexture* PictureLibrary::find(std::string_view name, const char* at) {
   // A picture that is there and broken is a mistake; another of its name is not looked for.
-  const auto read = [&](const std::string& path, const std::string& key, std::string&) {
-    if (byPath_.count(key) > 0) return true;
-    const ImageTexture*& kept = byPath_[key];
+  const auto read = [&](const std::string& path, std::size_t& number, std::string&) {
     try {
       pictures_.push_back(std::make_unique<ImageTexture>(readImage(path)));
-      kept = pictures_.back().get();
+      number = pictures_.size() - 1;
     } catch (const ImageError& error) {
       files_.report(at, "cannot read the picture " + quoted(name) + "; " + error.what());
     }
     return true;
   };
-  const std::string& path = files_.find(name, at, read);
-  return path.empty() ? nullptr : byPath_[path];
+  const std::size_t number = files_.find(name, at, read);
+  return number == NamedFiles::kBroken ? nullptr : pictures_[number].get();
 }
 
 std::optional<CubeMap> PictureLibrary::findCube(std::string_view folder, std::string_view ending) {

@@ -20,21 +20,23 @@ struct ObjDetails;
 
 class NamedFiles {
  public:
-  /// Reads the file at `path`, which is there, unless that has been done: `key` is its path without
-  /// links. False, and the reason, where it cannot be read.
+  /// Reads the file at `path`, which is there. True where it can be read: then `number` becomes
+  /// what the caller knows its contents by, or stays kBroken. False, and the reason, where it
+  /// cannot.
   using Reader =
-      std::function<bool(const std::string& path, const std::string& key, std::string& reason)>;
+      std::function<bool(const std::string& path, std::size_t& number, std::string& reason)>;
+  static constexpr std::size_t kBroken = std::size_t(-1);
 
   /// Of `scene`, whose mistakes go to `log`; both must outlive this. `kind` is what messages call
   /// one of the files.
   NamedFiles(const SourceText& scene, MistakeLog& log, std::string_view kind)
       : scene_(scene), log_(log), kind_(kind) {}
 
-  /// The path without links of the file that `name` means, read if need be: beside the scene file,
-  /// in the current folder, or by the file's name alone beside the scene file. Quotes around the
-  /// name are none of it, and backslashes stand for slashes. Empty where no file could be read,
-  /// which is reported the first time, `at` being the place in the scene where it is named.
-  const std::string& find(std::string_view name, const char* at, const Reader& read);
+  /// The number of the file that `name` means, read if need be: beside the scene file, in the
+  /// current folder, or by the file's name alone beside the scene file. Quotes around the name are
+  /// none of it, and backslashes stand for slashes. kBroken where there was a mistake; that no file
+  /// could be read is reported the first time, `at` being the place in the scene where it is named.
+  std::size_t find(std::string_view name, const char* at, const Reader& read);
   /// Whether find() would find a file, be it one that can be read or not.
   bool exists(std::string_view name) const;
 
@@ -47,12 +49,13 @@ class NamedFiles {
 
  private:
   std::vector<std::string> candidates(std::string_view name) const;
-  std::string locate(std::string_view name, const char* at, const Reader& read) const;
+  std::string locate(std::string_view name, const char* at, const Reader& read);
 
   const SourceText& scene_;
   MistakeLog& log_;
   std::string_view kind_;
   std::map<std::string, std::string, std::less<>> byName_;  // paths without links
+  std::map<std::string, std::size_t> byPath_;               // numbers
 };
 
 /// A name without the quotes around it, in which \" stands for a quote.
@@ -77,7 +80,7 @@ class MeshLibrary {
   const NamedFiles& files() const { return files_; }
 
  private:
-  bool read(const std::string& path, const std::string& key, std::string_view name,
+  bool read(const std::string& path, std::string_view name, std::size_t& number,
             std::string& reason);
   MeshGeometry readText(const std::string& path, std::string bytes, std::size_t place,
                         const ObjDetails& details);
@@ -88,7 +91,6 @@ class MeshLibrary {
   std::vector<std::unique_ptr<MeshGeometry>>& meshes_;
   const SceneRules rules_;
   std::vector<std::string> warnings_;
-  std::map<std::string, const MeshGeometry*> byPath_;  // as files_ finds them
 };
 
 /// The pictures that a scene names, for textures and cube maps: in any format that image/ reads,
@@ -114,5 +116,4 @@ class PictureLibrary {
  private:
   NamedFiles files_;
   std::vector<std::unique_ptr<ImageTexture>>& pictures_;
-  std::map<std::string, const ImageTexture*> byPath_;  // null for one that is broken
 };

@@ -102,7 +102,7 @@ const Object3D* NodeReader::readObject() {
   if (!openComponent(kShapeTypes, type)) return nullptr;
   const std::string_view block = kShapeBlocks[type];
   if (objects_.places()) objects_.places()->begin(block, at);
-  const Fields fields = in_.readOpenFields(kShapeTypes[type], at, {block});
+  const Fields fields = in_.readFields(kShapeTypes[type], {block}, {}, at);
   const Object3D* const object =
       fields.areGood ? objects_.addShape(block, at, fields, material) : nullptr;
   if (objects_.places()) objects_.places()->end(object);
@@ -113,6 +113,6 @@ void NodeReader::readLight() {
   const char* const at = in_.at();
   std::size_t type = 0;
   if (!openComponent(kLightTypes, type)) return;
-  const Fields fields = in_.readOpenFields("Component<Light>", at, {kLightBlocks[type]});
+  const Fields fields = in_.readFields("Component<Light>", {kLightBlocks[type]}, {}, at);
   if (fields.areGood) addLight_(at, fields, &toWorld_);
 }

@@ -69,6 +69,12 @@ template <class T>
   return stop;
 }
 
+}  // namespace
+
+bool isNumber(std::string_view word) {
+  return !word.empty() && endOfNumber(word.data(), endOf(word)) == endOf(word);
+}
+
 template <class T>
 const char* scanNumber(const char* p, const char* end, T& value) {
   if (end - p >= decimal::kBytes) {
@@ -80,28 +86,17 @@ const char* scanNumber(const char* p, const char* end, T& value) {
 }
 
 template <class T>
-bool readWord(std::string_view word, T& value) {
+bool readNumber(std::string_view word, T& value) {
   T found;
   if (word.empty() || scanNumber(word.data(), endOf(word), found) != endOf(word)) return false;
   value = found;
   return true;
 }
 
-}  // namespace
-
-bool isNumber(std::string_view word) {
-  return !word.empty() && endOfNumber(word.data(), endOf(word)) == endOf(word);
-}
-
-const char* scanDouble(const char* p, const char* end, double& value) {
-  return scanNumber(p, end, value);
-}
-const char* scanFloat(const char* p, const char* end, float& value) {
-  return scanNumber(p, end, value);
-}
-
-bool readDouble(std::string_view word, double& value) { return readWord(word, value); }
-bool readFloat(std::string_view word, float& value) { return readWord(word, value); }
+template const char* scanNumber(const char* p, const char* end, float& value);
+template const char* scanNumber(const char* p, const char* end, double& value);
+template bool readNumber(std::string_view word, float& value);
+template bool readNumber(std::string_view word, double& value);
 
 bool readInt(std::string_view word, int& value) {
   const bool hasPlus = !word.empty() && word[0] == '+';

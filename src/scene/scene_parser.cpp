@@ -50,7 +50,7 @@ bool SceneParser::hasGlass(const SourceText& text) {
   double index = 0;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     const bool isIndex = isWord(word, "refractionIndex");
-    if (isIndex && readDouble(words.next(), index) && index != 0) return true;
+    if (isIndex && readNumber(words.next(), index) && index != 0) return true;
   }
   return false;
 }

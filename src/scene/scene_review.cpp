@@ -54,13 +54,28 @@ std::string kindAt(std::string_view start) { return std::string(Tokenizer(start)
 
 class SceneWalk {
  public:
-  /// Looks over a scene that is read without a mistake.
-  explicit SceneWalk(const SceneParser& scene);
-
   struct EnclosedLight {
     int light;               // its number in the scene
     const Object3D* around;  // not owned
   };
+
+  /// Looks over a scene that is read without a mistake.
+  explicit SceneWalk(const SceneParser& scene) {
+    const Camera& camera = *scene.getCamera();
+    isPerspective_ = typeid(camera) == typeid(PerspectiveCamera);
+    Points points = {camera.getCenter()};
+    for (int i = 0; i < scene.getNumLights(); ++i) {
+      const auto* light = dynamic_cast<const PointLight*>(scene.getLight(i));
+      if (!light) continue;
+      lights_.push_back({i, nullptr});
+      points.push_back(light->getPosition());
+    }
+    const Vec3d& direction = camera.getDirection();
+    visit(scene.getGroup(), {direction, -dot(direction, camera.getCenter()), 1}, points);
+    if (hasMirror_) behind_.clear();
+    const auto isFree = [](const EnclosedLight& light) { return !light.around; };
+    lights_.erase(std::remove_if(lights_.begin(), lights_.end(), isFree), lights_.end());
+  }
 
   /// Spheres, triangles and meshes wholly behind a perspective camera, in scene order. None where
   /// any object is a mirror, which may show them.
@@ -69,7 +84,7 @@ class SceneWalk {
   /// Point lights inside an opaque closed object (a sphere, a closed mesh) in which the camera is
   /// not, in the order of the lights, with the first such object. Lights are not looked for where
   /// there are too many pairs of light and object, or of light and mesh triangle.
-  std::vector<EnclosedLight> enclosedLights() const;
+  const std::vector<EnclosedLight>& enclosedLights() const { return lights_; }
 
  private:
   /// Where normal . p + offset > 0, the camera may see.
@@ -79,145 +94,103 @@ class SceneWalk {
   };
   using Points = std::vector<Vec3d>;  // of the eye, then the point lights, in the object's space
 
-  void visit(const Object3D& object, const View& view, const Points& points);
-  void visitMoved(const Transform& transform, const View& view, const Points& points);
-  void visitSphere(const Sphere& sphere, const View& view, const Points& points);
-  void visitTriangle(const Triangle& triangle, const View& view);
-  void visitMesh(const TriangleMesh& mesh, const View& view, const Points& points);
-  void note(const Object3D& object, const Material& material, bool isBehind);
-  bool mayEnclose(const Material& material);
+  void visit(const Object3D* object, const View& view, const Points& points) {
+    if (const auto* sphere = exactly<Sphere>(object)) return visitSphere(*sphere, view, points);
+    if (const auto* triangle = exactly<Triangle>(object)) return visitTriangle(*triangle, view);
+    if (const auto* moved = exactly<Transform>(object)) return visitMoved(*moved, view, points);
+    if (const auto* mesh = exactly<TriangleMesh>(object)) return visitMesh(*mesh, view, points);
+    if (const auto* plane = exactly<Plane>(object)) return note(*plane, false);
+    if (const auto* group = exactly<Group>(object)) {
+      for (const Object3D* each : group->getObjects()) {
+        if (each) visit(each, view, points);
+      }
+    }
+  }
+
+  /// Takes the view and the points into the object's space: n . (A q + t) + offset is
+  /// (A^T n) . q + n . t + offset.
+  void visitMoved(const Transform& transform, const View& view, const Points& points) {
+    const Matrix &matrix = transform.getMatrix(), &inverse = transform.getInverse();
+    const Vec3d origin = matrix.transformPoint(Vec3d());
+    const Vec3d normal = matrix.transposeTransformDirection(view.normal);
+    const View inside = {normal, dot(view.normal, origin) + view.offset, length(normal)};
+    if (lights_.empty()) return visit(transform.getObject(), inside, points);
+    Points moved;
+    moved.reserve(points.size());
+    for (const Vec3d& point : points) moved.push_back(inverse.transformPoint(point));
+    steps_ += points.size();
+    visit(transform.getObject(), inside, moved);
+  }
+
+  void visitSphere(const Sphere& sphere, const View& view, const Points& points) {
+    const Vec3d& center = sphere.getCenter();
+    const double radius = sphere.getRadius();
+    note(sphere, dot(view.normal, center) + view.offset + radius * view.length <= 0);
+    if (!mayEnclose(*sphere.getMaterial())) return;
+    findEnclosed(sphere, points, [&](const Vec3d& p) {
+      const Vec3d apart = p - center;
+      return dot(apart, apart) < radius * radius;
+    });
+  }
+
+  void visitTriangle(const Triangle& triangle, const View& view) {
+    bool isBehind = true;
+    for (int i = 0; i < 3; ++i) {
+      isBehind &= dot(view.normal, triangle.getVertex(i)) + view.offset <= 0;
+    }
+    note(triangle, isBehind);
+  }
+
+  void visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
+    BoundingBox box;
+    mesh.getGeometry().addBounds(Matrix(), box);
+    double farthest = view.offset;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double n = view.normal[axis];
+      farthest += n * (n > 0 ? box.high() : box.low())[axis];
+    }
+    note(mesh, farthest <= 0 && !box.isEmpty());
+    if (box.isEmpty() || !mayEnclose(*mesh.getMaterial())) return;
+    findEnclosed(mesh, points, [&](const Vec3d& p) {
+      constexpr double kAlmostAll = 0.999;  // rounding is far less, and so is no hole of any size
+      if (!box.contains({p, p})) return false;
+      steps_ += kStepsPerFace * mesh.getGeometry().faceCount();
+      return steps_ <= kMostSteps && std::fabs(windingNumber(mesh.getGeometry(), p)) > kAlmostAll;
+    });
+  }
+
+  /// What there is to know of every shape.
+  template <class Shape>
+  void note(const Shape& shape, bool isBehind) {
+    if (isPerspective_ && isBehind) behind_.push_back(&shape);
+    if (shape.getMaterial() == lastMaterial_) return;
+    lastMaterial_ = shape.getMaterial();
+    hasMirror_ |= anyPositive(lastMaterial_->getReflectiveColor());
+  }
+
+  /// True where the object is opaque and there are lights to look for in it.
+  bool mayEnclose(const Material& material) {
+    if (lights_.empty() || steps_ > kMostSteps) return false;
+    steps_ += lights_.size();
+    return !material.isTransparent();
+  }
+
+  /// An eye in the same object sees what the lights in there shine on.
   template <class IsInside>
-  void findEnclosed(const Object3D& object, const Points& points, const IsInside& isInside);
+  void findEnclosed(const Object3D& object, const Points& points, const IsInside& isInside) {
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+      if (lights_[i].around || !isInside(points[i + 1])) continue;
+      if (isPerspective_ && isInside(points[0])) return;
+      lights_[i].around = &object;
+    }
+  }
 
   bool isPerspective_ = false, hasMirror_ = false;
   const Material* lastMaterial_ = nullptr;
   std::size_t steps_ = 0;
-  std::vector<int> pointLights_;           // their numbers in the scene
-  std::vector<const Object3D*> enclosed_;  // for each point light what encloses it, or null
+  std::vector<EnclosedLight> lights_;  // at first all point lights, with null around them
   std::vector<const Object3D*> behind_;
 };
-
-SceneWalk::SceneWalk(const SceneParser& scene) {
-  const Camera& camera = *scene.getCamera();
-  isPerspective_ = typeid(camera) == typeid(PerspectiveCamera);
-  Points points = {camera.getCenter()};
-  for (int i = 0; i < scene.getNumLights(); ++i) {
-    const auto* light = dynamic_cast<const PointLight*>(scene.getLight(i));
-    if (!light) continue;
-    pointLights_.push_back(i);
-    points.push_back(light->getPosition());
-  }
-  enclosed_.resize(pointLights_.size());
-  const Vec3d& direction = camera.getDirection();
-  visit(*scene.getGroup(), {direction, -dot(direction, camera.getCenter()), 1}, points);
-  if (hasMirror_) behind_.clear();
-}
-
-std::vector<SceneWalk::EnclosedLight> SceneWalk::enclosedLights() const {
-  std::vector<EnclosedLight> lights;
-  for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-    if (enclosed_[i]) lights.push_back({pointLights_[i], enclosed_[i]});
-  }
-  return lights;
-}
-
-void SceneWalk::visit(const Object3D& object, const View& view, const Points& points) {
-  const std::type_info& kind = typeid(object);
-  if (kind == typeid(Sphere)) {
-    visitSphere(static_cast<const Sphere&>(object), view, points);
-  } else if (kind == typeid(Triangle)) {
-    visitTriangle(static_cast<const Triangle&>(object), view);
-  } else if (kind == typeid(Transform)) {
-    visitMoved(static_cast<const Transform&>(object), view, points);
-  } else if (kind == typeid(TriangleMesh)) {
-    visitMesh(static_cast<const TriangleMesh&>(object), view, points);
-  } else if (kind == typeid(Plane)) {
-    note(object, *static_cast<const Plane&>(object).getMaterial(), false);
-  } else if (kind == typeid(Group)) {
-    for (const Object3D* each : static_cast<const Group&>(object).getObjects()) {
-      if (each) visit(*each, view, points);
-    }
-  }
-}
-
-/// Takes the view and the points into the object's space: n . (A q + t) + offset is
-/// (A^T n) . q + n . t + offset.
-void SceneWalk::visitMoved(const Transform& transform, const View& view, const Points& points) {
-  const Matrix &matrix = transform.getMatrix(), &inverse = transform.getInverse();
-  const Vec3d origin = matrix.transformPoint(Vec3d());
-  const Vec3d normal = matrix.transposeTransformDirection(view.normal);
-  const View inside = {normal, dot(view.normal, origin) + view.offset, length(normal)};
-  if (pointLights_.empty()) return visit(*transform.getObject(), inside, points);
-  Points moved;
-  moved.reserve(points.size());
-  for (const Vec3d& point : points) moved.push_back(inverse.transformPoint(point));
-  steps_ += points.size();
-  visit(*transform.getObject(), inside, moved);
-}
-
-void SceneWalk::visitSphere(const Sphere& sphere, const View& view, const Points& points) {
-  const Vec3d& center = sphere.getCenter();
-  const double radius = sphere.getRadius();
-  note(sphere, *sphere.getMaterial(),
-       dot(view.normal, center) + view.offset + radius * view.length <= 0);
-  if (!mayEnclose(*sphere.getMaterial())) return;
-  findEnclosed(sphere, points, [&](const Vec3d& p) {
-    const Vec3d apart = p - center;
-    return dot(apart, apart) < radius * radius;
-  });
-}
-
-void SceneWalk::visitTriangle(const Triangle& triangle, const View& view) {
-  bool isBehind = true;
-  for (int i = 0; i < 3; ++i) {
-    isBehind &= dot(view.normal, triangle.getVertex(i)) + view.offset <= 0;
-  }
-  note(triangle, *triangle.getMaterial(), isBehind);
-}
-
-void SceneWalk::visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
-  BoundingBox box;
-  mesh.getGeometry().addBounds(Matrix(), box);
-  double farthest = view.offset;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double n = view.normal[axis];
-    farthest += n * (n > 0 ? box.high() : box.low())[axis];
-  }
-  note(mesh, *mesh.getMaterial(), farthest <= 0 && !box.isEmpty());
-  if (box.isEmpty() || !mayEnclose(*mesh.getMaterial())) return;
-  findEnclosed(mesh, points, [&](const Vec3d& p) {
-    constexpr double kAlmostAll = 0.999;  // rounding is far less, and so is no hole of any size
-    if (!box.contains({p, p})) return false;
-    steps_ += kStepsPerFace * mesh.getGeometry().faceCount();
-    return steps_ <= kMostSteps && std::fabs(windingNumber(mesh.getGeometry(), p)) > kAlmostAll;
-  });
-}
-
-/// What there is to know of every shape.
-void SceneWalk::note(const Object3D& object, const Material& material, bool isBehind) {
-  if (isPerspective_ && isBehind) behind_.push_back(&object);
-  if (&material == lastMaterial_) return;
-  lastMaterial_ = &material;
-  hasMirror_ |= anyPositive(material.getReflectiveColor());
-}
-
-/// True where the object is opaque and there are lights to look for in it.
-bool SceneWalk::mayEnclose(const Material& material) {
-  if (pointLights_.empty() || steps_ > kMostSteps) return false;
-  steps_ += pointLights_.size();
-  return !material.isTransparent();
-}
-
-/// An eye in the same object sees what the lights in there shine on.
-template <class IsInside>
-void SceneWalk::findEnclosed(const Object3D& object, const Points& points,
-                             const IsInside& isInside) {
-  for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-    if (enclosed_[i] || !isInside(points[i + 1])) continue;
-    if (isPerspective_ && isInside(points[0])) return;
-    enclosed_[i] = &object;
-  }
-}
 
 }  // namespace
 

@@ -18,7 +18,7 @@ namespace {
 
 bool isDouble(std::string_view word) {
   double value = 0;
-  return readDouble(word, value);
+  return readNumber(word, value);
 }
 /// The same bits, so that 0 and -0 differ.
 bool areSame(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
@@ -29,14 +29,14 @@ bool areSame(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 bool readInText(std::string_view word, double& value, char behind = ' ') {
   const std::string text = std::string(word) + behind + "12345678901234567890.123456e7";
   double inText = -777;
-  const char* const stop = scanDouble(text.data(), text.data() + text.size(), inText);
-  return readDouble(word, value) && stop == text.data() + word.size() && areSame(value, inText);
+  const char* const stop = scanNumber(text.data(), text.data() + text.size(), inText);
+  return readNumber(word, value) && stop == text.data() + word.size() && areSame(value, inText);
 }
 bool readInText(std::string_view word, float& value, char behind = ' ') {
   const std::string text = std::string(word) + behind + "12345678901234567890.123456e7";
   float inText = -777;
-  const char* const stop = scanFloat(text.data(), text.data() + text.size(), inText);
-  return readFloat(word, value) && stop == text.data() + word.size() && areSame(value, inText);
+  const char* const stop = scanNumber(text.data(), text.data() + text.size(), inText);
+  return readNumber(word, value) && stop == text.data() + word.size() && areSame(value, inText);
 }
 
 double asDouble(std::string_view word) {
@@ -90,8 +90,8 @@ TEST("what is not wholly a number is none") {
         "1,5", "1..2", "1.2.3", "--1", "1e5.0", "1e5e5",    "1f",   "\xd9\xa1"}) {
     double value = 42;
     float single = 42;
-    check::report(!readDouble(word, value) && value == 42, __FILE__, __LINE__, word);
-    check::report(!readFloat(word, single) && single == 42, __FILE__, __LINE__, word);
+    check::report(!readNumber(word, value) && value == 42, __FILE__, __LINE__, word);
+    check::report(!readNumber(word, single) && single == 42, __FILE__, __LINE__, word);
     CHECK(!isNumber(word));
   }
   CHECK(!isDouble(std::string_view("1\0", 2)));
@@ -130,8 +130,8 @@ TEST("what is no number is none in a long text either") {
     double value = 42;
     float single = 42;
     const char* const end = text.data() + text.size();
-    check::report(!scanDouble(text.data(), end, value) && value == 42, __FILE__, __LINE__, word);
-    check::report(!scanFloat(text.data(), end, single) && single == 42, __FILE__, __LINE__, word);
+    check::report(!scanNumber(text.data(), end, value) && value == 42, __FILE__, __LINE__, word);
+    check::report(!scanNumber(text.data(), end, single) && single == 42, __FILE__, __LINE__, word);
   }
 }
 
@@ -147,8 +147,8 @@ TEST("overflow is refused and underflow gives denormals and zero") {
   CHECK(areSame(asDouble("1e-99999999999999999999"), 0.0));
   CHECK(areSame(asDouble("0e99999999999999999999"), 0.0));
   float value = 0;
-  CHECK(!readFloat("1e39", value));
-  CHECK(!readFloat("3.4028236e38", value));
+  CHECK(!readNumber("1e39", value));
+  CHECK(!readNumber("3.4028236e38", value));
   CHECK_EQUAL(asFloat("3.4028234e38"), std::numeric_limits<float>::max());
   CHECK_EQUAL(asFloat("1e-45"), std::numeric_limits<float>::denorm_min());
   CHECK(areSame(asFloat("-1e-60"), -0.0f));
@@ -201,7 +201,7 @@ TEST("a million random words agree with strtod and strtof to the last bit") {
     const float expectedSingle = std::strtof(word.c_str(), nullptr);
     double value = 0;
     float single = 0;
-    const bool isRead = readDouble(word, value), isSingleRead = readFloat(word, single);
+    const bool isRead = readNumber(word, value), isSingleRead = readNumber(word, single);
     const bool isRight =
         isRead == std::isfinite(expected) && isSingleRead == std::isfinite(expectedSingle) &&
         (!isRead || areSame(value, expected)) && (!isSingleRead || areSame(single, expectedSingle));

@@ -76,8 +76,8 @@ TEST("texts of all lengths are read without a look behind their end") {
     for (const char* p = bytes.data(); p != end; ++p) {
       double value = 0;
       float single = 0;
-      found += scanDouble(p, end, value) != nullptr;
-      found += scanFloat(p, end, single) != nullptr;
+      found += scanNumber(p, end, value) != nullptr;
+      found += scanNumber(p, end, single) != nullptr;
     }
     found += chunk.vertices.size() + chunk.faces.size();
   }
