@@ -30,10 +30,12 @@ void AskedMesh::shade(const RowList& rows, HitTable& hits) const {
   }
 }
 
-Crossing AskedMesh::crossingAt(const std::uint32_t* words, int lane) const {
+void AskedMesh::setCrossing(const std::uint32_t* words, int lane, Crossing& crossing) const {
   const FaceCopies* copies = tree_.copiesOf(MeshTree::faceAt(words, lane));
-  const bool isClosed = mesh_.getGeometry().isClosed();
-  return {0, &mesh_, mesh_.getMaterial(), isClosed, false, copies ? copies->count : 1};
+  crossing.object = &mesh_;
+  crossing.material = mesh_.getMaterial();
+  crossing.closed = mesh_.getGeometry().isClosed();
+  crossing.count = copies ? copies->count : 1;
 }
 
 const TreeMember& ObjectTree::memberAt(const std::uint32_t* words, int lane) const {

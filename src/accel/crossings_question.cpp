@@ -61,7 +61,8 @@ class CrossingsQuestion::CrossingsWalk : public Walk {
     const std::uint32_t* words = stream_.words + c.leaf;
     const int row = stream_.rowOf(c.ray);
     if (stream_.bvh->isInParts && !isNew(row, tree_.primitiveAt(words, c.lane).face)) return;
-    Crossing& crossing = crossings_[proven_->count] = tree_.crossingAt(words, c.lane);
+    Crossing& crossing = crossings_[proven_->count];
+    tree_.setCrossing(words, c.lane, crossing);
     if (kindOf(*words) == LeafKind::spheres) {
       CrossingsOfRow crossings(row, visitor_);
       return crossing.object->visitCrossings(stream_.rays->rayOf(row), crossings);
@@ -108,11 +109,19 @@ void CrossingsQuestion::askObject(const Object3D& object, std::uint32_t /*order*
 }
 
 void CrossingsQuestion::askShapes(const ShapeNumbers* shapes, int count, const RowList& rows) {
+  constexpr int kSome = 16;
   const Arena::Frame frame(arena_);
-  auto* some = arena_.take<std::uint16_t>(std::size_t(rows.count));
-  for (int i = 0; i < count; ++i) {
-    const int met = kernels_.rowsAtShape(shapes[i], rays_, rows, some);
-    askObject(*shapes[i].whole, shapes[i].order, {some, met});
+  auto* met = arena_.take<std::uint16_t>(std::size_t(rows.count));
+  for (int first = 0; first < count; first += kSome) {
+    kernels_.shapesMet(shapes + first, std::min(count - first, kSome), rays_, rows, met);
+    for (int i = 0; i < rows.count; ++i) {
+      if (met[i] == 0) continue;
+      const Ray ray = rays_.rayOf(rows.rows[i]);
+      CrossingsOfRow crossings(rows.rows[i], visitor_);
+      for (unsigned bits = met[i]; bits != 0; bits &= bits - 1) {
+        shapes[first + __builtin_ctz(bits)].whole->visitCrossings(ray, crossings);
+      }
+    }
   }
 }
 

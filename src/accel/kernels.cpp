@@ -41,7 +41,7 @@ Kernels kernels() {
           crossTriangles,
           nearestOfShapes,
           occludedByShapes,
-          rowsAtShape,
+          shapesMet,
           rowsAtBox,
           moveRays,
           moveHits};

@@ -36,7 +36,7 @@ class AskedMesh : public AskedTree {
   }
   bool takesPlace(LeafPrimitive& face) const override;
   void shade(const RowList& rows, HitTable& hits) const override;
-  Crossing crossingAt(const std::uint32_t* words, int lane) const override;
+  void setCrossing(const std::uint32_t* words, int lane, Crossing& crossing) const override;
 
  private:
   const TriangleMesh& mesh_;

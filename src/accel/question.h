@@ -42,10 +42,10 @@ class AskedTree {
   /// Shades hits on triangles (shadeHit), which so far have the normals of the triangles: the hits
   /// of the listed rows, which are in the space of the tree.
   virtual void shade(const RowList& /*rows*/, HitTable& /*hits*/) const {}
-  /// Where a ray crosses that primitive, but for t and `leaving`.
-  virtual Crossing crossingAt(const std::uint32_t* words, int lane) const {
+  /// Sets all of a crossing with that primitive but t and `leaving`.
+  virtual void setCrossing(const std::uint32_t* words, int lane, Crossing& crossing) const {
     const LeafPrimitive p = primitiveAt(words, lane);
-    return {0, p.object, p.material, false, false};
+    crossing = {0, p.object, p.material, false, false};
   }
   /// Asks object `id` of a leaf of objects, of which a mesh has none.
   virtual void askObject(std::uint32_t /*id*/, Question& /*question*/,

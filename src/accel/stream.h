@@ -231,10 +231,10 @@ struct Kernels {
   /// Sets blocked[row] for those of the listed rays that meet any between tmin and tmax.
   void (*occludedByShapes)(const ShapeNumbers* shapes, int count, const RayTable& rays,
                            const RowList& list, bool* blocked);
-  /// Stores those of the listed rows whose rays come to the shape, or leave it, between 0 and tmax,
-  /// or are inside of it all that way; returns their number.
-  int (*rowsAtShape)(const ShapeNumbers& shape, const RayTable& rays, const RowList& list,
-                     std::uint16_t* rows);
+  /// Sets bit k of met[i] where listed ray i comes to shape k, or leaves it, between 0 and tmax, or
+  /// is inside of it all that way; `count` is at most 16.
+  void (*shapesMet)(const ShapeNumbers* shapes, int count, const RayTable& rays,
+                    const RowList& list, std::uint16_t* met);
   /// Stores those of the listed rows whose rays may meet the box between tmin and tmax; returns
   /// their number.
   int (*rowsAtBox)(const BoxNumbers& box, const RayTable& rays, const RowList& list,
