@@ -78,9 +78,9 @@ struct ShadowQuery {
   ShadowQuery(const Ray& r, double from, double to) : ray(r), tmin(from), tmax(to) {}
 };
 
-/// `object` (not null) as a T where it is a T itself and not of a class derived from T, which may
-/// answer differently; else null.
-template <class T>
-const T* exactly(const Object3D* object) {
+/// `object` (not null), of a class with virtual functions such as Object3D, as a T where it is a T
+/// itself and not of a class derived from T, which may answer differently; else null.
+template <class T, class Base>
+const T* exactly(const Base* object) {
   return typeid(*object) == typeid(T) ? static_cast<const T*>(object) : nullptr;
 }

@@ -34,7 +34,7 @@ struct PixelRectangle {
   PixelRectangle grown(int margin) const {
     return {left - margin, bottom - margin, right + margin, top + margin};
   }
-  /// What both have in common, which is not nothing.
+  /// What both have in common; where that is nothing, no pixel is in it.
   PixelRectangle within(const PixelRectangle& other) const {
     return {std::max(left, other.left), std::max(bottom, other.bottom),
             std::min(right, other.right), std::min(top, other.top)};

@@ -11,7 +11,7 @@
 #include "render/surface.h"
 
 class Media;
-struct ColorFilter;
+struct ColorFilterTable;
 
 class Interfaces {
  public:
@@ -45,8 +45,8 @@ class Interfaces {
 
   bool dependsOnMedia(const Hit& hit) const;
   double reachOf(const Hit& hit) const;
-  bool isThere(const Media& media, double start, const Hit& hit, Interface& interface,
-               std::vector<ColorFilter>& filters) const;
+  bool isThere(const Media& media, double start, const Hit& hit, int row, Interface& interface,
+               ColorFilterTable& filters) const;
 
   const SolidObjects* solids_;  // not owned; null where nobody has listed them
   const Object3D* geometry_;    // not owned

@@ -112,12 +112,10 @@ void Film::addSample(const Sample& sample, const Vec3f& color, double share) {
 void Film::addAt(const Sample& place, const Vec3f& color, double share) {
   const auto [at, offset] = place;
   const int reach = filter_.getSupportRadius();
-  const int left = std::max(at.i - reach, area_.left),
-            right = std::min(at.i + reach + 1, area_.right);
-  const int bottom = std::max(at.j - reach, area_.bottom),
-            top = std::min(at.j + reach + 1, area_.top);
-  for (int j = bottom; j < top; ++j) {
-    for (int i = left; i < right; ++i) {
+  const PixelRectangle near =
+      PixelRectangle{at.i, at.j, at.i + 1, at.j + 1}.grown(reach).within(area_);
+  for (int j = near.bottom; j < near.top; ++j) {
+    for (int i = near.left; i < near.right; ++i) {
       // Whole numbers are subtracted first: the weight is the same wherever the pixels are.
       const double weight =
           filter_.getWeight(at.i - i + (offset.x() - 0.5), at.j - j + (offset.y() - 0.5));

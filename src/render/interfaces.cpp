@@ -79,13 +79,10 @@ struct Interfaces::Walk {
       batches.visitAllCrossings(lines, crossings, arena);
       ColorFilterTable filters(arena, crossings.size());
       openCount = lines.count;
-      // A line whose surface is there need not be kept in mind.
-      const auto kept = isWhole ? std::size_t(lines.count) : 1;
-      std::vector<Media> media(kept, Media(interfaces.solids_));
-      for (bool isFirst = true; openCount > 0 && (isWhole || isFirst); isFirst = false) {
-        keepHidden(isFirst ? &crossings : nullptr, media, filters);
+      do {
+        keepHidden(crossings, filters);
         goOn();
-      }
+      } while (isWhole && openCount > 0);
       setTints(filters);
     }
   }
@@ -121,27 +118,19 @@ struct Interfaces::Walk {
   }
 
   /// Finds what lies on both sides of what the open lines have met; those stay open on which it is
-  /// not there. `media` are those of each line, or of one after the other; they are told the
-  /// crossings, where these are not null.
-  void keepHidden(const CrossingTable* crossings, std::vector<Media>& media,
-                  ColorFilterTable& filters) {
+  /// not there.
+  void keepHidden(const CrossingTable& crossings, ColorFilterTable& filters) {
     int count = 0;
-    std::vector<ColorFilter> ofOne;
+    Media media(interfaces.solids_);
     for (int k = 0; k < openCount; ++k) {
       const int line = open[k], row = rows[line];
-      Media& ofLine = media[media.size() == 1 ? 0 : std::size_t(line)];
-      if (crossings) {
-        ofLine.begin();
-        crossings->tell(line, ofLine);
-        ofLine.finish();
-      }
-      ofOne.clear();
-      if (!interfaces.isThere(ofLine, lines.tmin[line], hitOf(row), found[row], ofOne)) {
-        open[count++] = std::uint16_t(line);
-        if (passed) passed->push_back(hitOf(row));
-      } else {
-        for (const ColorFilter& filter : ofOne) filters.add(filter, row);
-      }
+      media.begin();
+      crossings.tell(line, media);
+      media.finish();
+      if (interfaces.isThere(media, lines.tmin[line], hitOf(row), row, found[row], filters))
+        continue;
+      open[count++] = std::uint16_t(line);
+      if (passed) passed->push_back(hitOf(row));
     }
     openCount = count;
   }
@@ -218,25 +207,27 @@ double Interfaces::reachOf(const Hit& hit) const {
                   hit.getMagnitude() * Shader::kRounding);
 }
 
-/// Fills in `interface`, but for its tint, from the media along the ray, whose parameter is `start`
-/// where `media` begins; the filters that make the tint are appended. False where the surface hit
-/// changes nothing: the medium before and behind is the same.
-bool Interfaces::isThere(const Media& media, double start, const Hit& hit, Interface& interface,
-                         std::vector<ColorFilter>& filters) const {
+/// Fills in `interface`, but for its tint, from the media along ray `row`, whose parameter is
+/// `start` where `media` begins; the filters that make the tint are added. False where the surface
+/// hit changes nothing: the medium before and behind is the same.
+bool Interfaces::isThere(const Media& media, double start, const Hit& hit, int row,
+                         Interface& interface, ColorFilterTable& filters) const {
   const RenderOptions& options = shader_->options();
   const double t = hit.getT() - start, reach = reachOf(hit);
   const double length = std::max(hit.getT(), 0.0);  // of the way here
   interface.isClosed = media.isClosed(hit.getObject());
   if (!options.nestedDielectrics) {
-    media.addFilters(t - reach, hit.getIntersectionPoint(), length, filters);
+    media.addFilters(t - reach, hit.getIntersectionPoint(), length, row, filters);
     return true;
   }
   const Media::Medium before = media.mediumAt(t - reach), behind = media.mediumAt(t + reach);
-  if (options.fresnel && before.material) {
-    filters.push_back({transparencyAt(*before.material, hit.getIntersectionPoint()), length});
+  if (interface.isClosed) {
+    if (before.object == behind.object) return false;
+    interface.before = sideOf(before, hit);
+    interface.behind = sideOf(behind, hit);
   }
-  if (!interface.isClosed) return true;
-  interface.before = sideOf(before, hit);
-  interface.behind = sideOf(behind, hit);
-  return before.object != behind.object;
+  if (options.fresnel && before.material) {
+    filters.add({transparencyAt(*before.material, hit.getIntersectionPoint()), length}, row);
+  }
+  return true;
 }

@@ -11,6 +11,8 @@
 #include "render/media.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <tuple>
 
 #include "shading/solid_texture.h"
 
@@ -51,21 +53,26 @@ void Media::addStays(CrossingPlace first, CrossingPlace last) {
   if (count != 0) stays_.push_back({medium, -kInf, to});
 }
 
-/// What is the same to the eye may come in any order, which no picture can show.
-Media::Rank Media::rankOf(const Stay& stay) const {
-  const auto [object, material] = stay.medium;
-  const double volume = solids_ ? solids_->volumeOf(object) : kInf;
-  const Vec3f color = material->getTransparentColor();
-  return {-double(material->getPriority()),        volume,    stay.to,   -stay.from,
-          material->getIndexOfRefraction(),        color.r(), color.g(), color.b(),
-          reinterpret_cast<std::uintptr_t>(object)};
+/// By priority, then by rank, which takes longer to find out. What is the same to the eye may come
+/// in any order, which no picture can show.
+bool Media::isStronger(const Stay& a, const Stay& b) const {
+  const auto rankOf = [this](const Stay& stay) {
+    const auto [object, material] = stay.medium;
+    const Vec3f color = material->getTransparentColor();
+    return std::make_tuple(solids_ ? solids_->volumeOf(object) : kInf, stay.to, -stay.from,
+                           material->getIndexOfRefraction(), color.r(), color.g(), color.b(),
+                           reinterpret_cast<std::uintptr_t>(object));
+  };
+  const int priorityA = a.medium.material->getPriority();
+  const int priorityB = b.medium.material->getPriority();
+  return priorityA != priorityB ? priorityA > priorityB : rankOf(a) < rankOf(b);
 }
 
 Media::Medium Media::mediumAt(double t) const {
   const Stay* strongest = nullptr;
   for (const Stay& stay : stays_) {
     const bool isAround = stay.from <= t && t < stay.to;
-    if (isAround && (!strongest || rankOf(stay) < rankOf(*strongest))) strongest = &stay;
+    if (isAround && (!strongest || isStronger(stay, *strongest))) strongest = &stay;
   }
   return strongest ? strongest->medium : Medium();
 }
@@ -77,13 +84,13 @@ bool Media::isClosed(const Object3D* object) const {
 }
 
 /// How often the line is inside an object at t is the sum of what its crossings beyond t count.
-void Media::addFilters(double t, const Vec3d& end, double length,
-                       std::vector<ColorFilter>& filters) const {
+void Media::addFilters(double t, const Vec3d& end, double length, int row,
+                       ColorFilterTable& filters) const {
   forEachObject(crossings_, [&](CrossingPlace first, CrossingPlace last) {
     int count = 0;
     for (CrossingPlace c = first; c != last; ++c) count += c->t > t ? countOf(*c) : 0;
     if (count == 0) return;
-    filters.push_back({transparencyAt(*first->material, end), std::abs(count) * length});
+    filters.add({transparencyAt(*first->material, end), std::abs(count) * length}, row);
   });
 }
 

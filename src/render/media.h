@@ -3,13 +3,11 @@
 // enters it. So nothing need be remembered of the way that led there, and a line may begin
 // anywhere: inside objects as well.
 #pragma once
-#include <cstdint>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include "geometry/object3d.h"
-#include "render/transmittance.h"
+#include "render/wave_tables.h"
 #include "scene/solid_objects.h"
 #include "shading/material.h"
 
@@ -44,11 +42,11 @@ class Media final : public CrossingVisitor {
   /// True when the line meets `object`, and it is closed and transparent.
   bool isClosed(const Object3D* object) const;
 
-  /// Appends a filter for each object around parameter t, where no surface is near, as often as the
-  /// line is inside it: what dims light on a way of `length` >= 0 that ends at point `end`. A
-  /// texture has its colour of that point all the way.
-  void addFilters(double t, const Vec3d& end, double length,
-                  std::vector<ColorFilter>& filters) const;
+  /// Adds a filter of ray `row` for each object around parameter t, where no surface is near, as
+  /// often as the line is inside it: what dims light on a way of `length` >= 0 that ends at point
+  /// `end`. A texture has its colour of that point all the way.
+  void addFilters(double t, const Vec3d& end, double length, int row,
+                  ColorFilterTable& filters) const;
 
  private:
   /// A stretch of the line inside one object.
@@ -57,12 +55,8 @@ class Media final : public CrossingVisitor {
     double from, to;
   };
 
-  /// Of several stays around a place the one of the least rank fills it: see mediumAt.
-  using Rank =
-      std::tuple<double, double, double, double, float, float, float, float, std::uintptr_t>;
-
   void addStays(CrossingPlace first, CrossingPlace last);
-  Rank rankOf(const Stay& stay) const;
+  bool isStronger(const Stay& a, const Stay& b) const;
 
   const SolidObjects* solids_;       // not owned; may be null
   std::vector<Crossing> crossings_;  // of closed transparent objects, by object and then by t

@@ -2,8 +2,6 @@
 //
 // Each class that has a wide form is known here, itself and not what is derived from it, which may
 // compute otherwise.
-#include <typeinfo>
-
 #include "render/wave_kernels.h"
 
 namespace {
@@ -19,36 +17,28 @@ bool toNumbers(const Camera& camera, EyeFrame& eye) {
   copyTo(eye.direction, camera.getDirection());
   copyTo(eye.right, camera.getRight());
   copyTo(eye.up, camera.getUp());
-  eye.isPerspective = typeid(camera) == typeid(PerspectiveCamera);
-  if (eye.isPerspective) {
-    eye.scale = static_cast<const PerspectiveCamera&>(camera).getSpread();
-    return true;
-  }
-  if (typeid(camera) != typeid(OrthographicCamera)) return false;
-  eye.scale = static_cast<const OrthographicCamera&>(camera).getSize();
-  return true;
+  const auto* perspective = exactly<PerspectiveCamera>(&camera);
+  const auto* orthographic = exactly<OrthographicCamera>(&camera);
+  eye.isPerspective = perspective;
+  if (perspective) eye.scale = perspective->getSpread();
+  if (orthographic) eye.scale = orthographic->getSize();
+  return perspective || orthographic;
 }
 
 bool toNumbers(const Light& light, LightNumbers& numbers) {
-  if (typeid(light) == typeid(DirectionalLight)) {
-    const auto& directional = static_cast<const DirectionalLight&>(light);
-    numbers.isPoint = false;
-    copyTo(numbers.place, directional.getDirToLight());
-    copyTo(numbers.color, directional.getColor());
-    return true;
-  }
-  if (typeid(light) != typeid(PointLight)) return false;
-  const auto& point = static_cast<const PointLight&>(light);
-  numbers.isPoint = true;
-  copyTo(numbers.place, point.getPosition());
-  copyTo(numbers.color, point.getColor());
-  copyTo(numbers.attenuation, point.getAttenuation());
+  const auto* directional = exactly<DirectionalLight>(&light);
+  const auto* point = exactly<PointLight>(&light);
+  if (!directional && !point) return false;
+  numbers.isPoint = point;
+  copyTo(numbers.place, point ? point->getPosition() : directional->getDirToLight());
+  copyTo(numbers.color, point ? point->getColor() : directional->getColor());
+  if (point) copyTo(numbers.attenuation, point->getAttenuation());
   return true;
 }
 
 bool toNumbers(const Material& material, PhongNumbers& numbers) {
-  numbers.isBlinn = typeid(material) == typeid(BlinnPhongMaterial);
-  if (!numbers.isBlinn && typeid(material) != typeid(PhongMaterial)) return false;
+  numbers.isBlinn = exactly<BlinnPhongMaterial>(&material);
+  if (!numbers.isBlinn && !exactly<PhongMaterial>(&material)) return false;
   const auto& phong = static_cast<const PhongMaterial&>(material);
   if (phong.getDiffuseMap()) return false;
   copyTo(numbers.diffuse, phong.getDiffuseColor());
