@@ -50,15 +50,17 @@ std::vector<ObjChunk> readChunks(const OpenFile& file, const ObjReading& how) {
 }
 
 /// Checks what the chunks took for granted, and moves their backward indices to the vertices of
-/// the whole mesh. Throws IsUnclear where a guess was wrong.
+/// the whole mesh, and their polygons to its faces. Throws IsUnclear where a guess was wrong.
 void resolveIndices(std::vector<ObjChunk>& chunks, std::size_t vertexCount) {
-  std::size_t before = 0;
+  std::size_t before = 0, facesBefore = 0;
   for (ObjChunk& chunk : chunks) {
     if (chunk.highest > vertexCount || chunk.reachBack > before) throw IsUnclear();
     for (const std::size_t corner : chunk.relativeCorners) {
       chunk.faces[corner / 3][corner % 3] += std::uint32_t(before);
     }
+    for (ObjPolygon& polygon : chunk.polygons) polygon.first += std::uint32_t(facesBefore);
     before += chunk.vertices.size();
+    facesBefore += chunk.faces.size();
   }
 }
 
@@ -77,67 +79,60 @@ std::vector<T> inOnePiece(std::vector<ObjChunk>& chunks, std::vector<T> ObjChunk
 }
 
 /// The corners of a polygon that stands in `faces` as a fan.
-std::vector<std::uint32_t> cornersOf(const ObjPolygon& polygon, const MeshGeometry::Face* faces) {
-  std::vector<std::uint32_t> corners = {faces[0][0], faces[0][1]};
-  for (std::uint32_t k = 0; k < polygon.triangles; ++k) corners.push_back(faces[k][2]);
+std::vector<std::uint32_t> cornersOf(const ObjPolygon& polygon,
+                                     const std::vector<MeshGeometry::Face>& faces) {
+  const MeshGeometry::Face* const fan = &faces[polygon.first];
+  std::vector<std::uint32_t> corners = {fan[0][0], fan[0][1]};
+  for (std::uint32_t k = 0; k < polygon.triangles; ++k) corners.push_back(fan[k][2]);
   return corners;
 }
 
-/// Cuts a polygon that stands as a fan in the first of `all`, from place `first` on, and perhaps in
-/// others: where it is concave, its triangles become others in each.
+/// Cuts a polygon that stands as a fan in the first of `all`, and perhaps in others: where it is
+/// concave, its triangles become others in each.
 OutlineShape cutPolygon(const std::vector<Vec3f>& vertices, const ObjPolygon& polygon,
-                        std::size_t first, const FaceLists& all) {
+                        const FaceLists& all) {
   std::vector<Vec3f> outline;
-  for (const std::uint32_t corner : cornersOf(polygon, &(*all[0])[first])) {
+  for (const std::uint32_t corner : cornersOf(polygon, *all[0])) {
     outline.push_back(vertices[corner]);
   }
   std::vector<OutlineTriangle> triangles;
   const OutlineShape shape = cutOutline(outline, triangles);
   for (std::vector<MeshGeometry::Face>* const faces : all) {
     if (faces->empty() || triangles.empty()) continue;
-    const std::vector<std::uint32_t> corners = cornersOf(polygon, &(*faces)[first]);
+    const std::vector<std::uint32_t> corners = cornersOf(polygon, *faces);
     for (std::size_t k = 0; k < triangles.size(); ++k) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        (*faces)[first + k][corner] = corners[triangles[k][corner]];
+        (*faces)[polygon.first + k][corner] = corners[triangles[k][corner]];
       }
     }
   }
   return shape;
 }
 
-/// Cuts all polygons of chunks, whose triangles stand in `faces`, one chunk's behind the other's.
-/// The second and third list may be empty. Where polygons of many corners would take too long
-/// together, the later ones stay fans. Each chunk keeps those of its polygons that stay fans though
-/// they are not convex.
+/// Cuts all polygons of chunks, whose triangles stand in `faces`; the second and third list may be
+/// empty. Where polygons of many corners would take too long together, the later ones stay fans.
+/// Each chunk keeps those of its polygons that stay fans though they are not convex.
 void cutPolygons(const std::vector<Vec3f>& vertices, std::vector<ObjChunk>& chunks, int threads,
                  const FaceLists& faces) {
   constexpr double kMostSteps = 0x1p27;  // as cutOutline takes for one of 11,500 corners
-  struct Start {
-    std::size_t face;
-    double steps;
-  };
   const auto stepsOf = [](const ObjPolygon& polygon) {
     return double(polygon.triangles) * polygon.triangles;
   };
-  std::vector<Start> starts;  // of each chunk, so that no answer depends on the threads
-  Start next = {0, 0};
+  std::vector<double> stepsBefore = {0};  // each chunk, so that no answer depends on the threads
   for (const ObjChunk& chunk : chunks) {
-    starts.push_back(next);
-    next.face += chunk.faceCount;
-    for (const ObjPolygon& polygon : chunk.polygons) next.steps += stepsOf(polygon);
+    double steps = stepsBefore.back();
+    for (const ObjPolygon& polygon : chunk.polygons) steps += stepsOf(polygon);
+    stepsBefore.push_back(steps);
   }
   shareOnThreads(threads, 0, chunks.size(), [&](std::size_t number) {
-    Start at = starts[number];
-    std::vector<ObjPolygon> fans;
-    for (const ObjPolygon& polygon : chunks[number].polygons) {
-      at.steps += stepsOf(polygon);
-      const bool isTooLong = polygon.triangles > 64 && at.steps > kMostSteps;
-      if (isTooLong ||
-          cutPolygon(vertices, polygon, at.face + polygon.first, faces) == OutlineShape::crossing) {
-        fans.push_back(polygon);
-      }
-    }
-    chunks[number].polygons = std::move(fans);
+    double steps = stepsBefore[number];
+    const auto isCut = [&](const ObjPolygon& polygon) {
+      steps += stepsOf(polygon);
+      const bool isTooLong = polygon.triangles > 64 && steps > kMostSteps;
+      return !isTooLong && cutPolygon(vertices, polygon, faces) != OutlineShape::crossing;
+    };
+    std::vector<ObjPolygon>& all = chunks[number].polygons;
+    all.erase(std::remove_if(all.begin(), all.end(), isCut), all.end());
   });
 }
 
@@ -147,9 +142,9 @@ void cutPolygons(const std::vector<Vec3f>& vertices, std::vector<ObjChunk>& chun
 MeshGeometry join(std::vector<ObjChunk>& chunks, int threads,
                   const std::function<void(std::vector<Vec3d>& places)>& readPlaces) {
   std::size_t vertexCount = 0, faceCount = 0;
-  for (ObjChunk& chunk : chunks) {
+  for (const ObjChunk& chunk : chunks) {
     vertexCount += chunk.vertices.size();
-    faceCount += chunk.faceCount = chunk.faces.size();
+    faceCount += chunk.faces.size();
   }
   if (std::max(vertexCount, faceCount) > kMostObjElements) throw IsUnclear();
   resolveIndices(chunks, vertexCount);

@@ -57,7 +57,7 @@ MeshGeometry readObj(const SourceText& text, MistakeLog& log, std::size_t place,
 /// Vertices and faces are numbered in 32 bits.
 inline constexpr std::size_t kMostObjElements = std::numeric_limits<std::uint32_t>::max();
 
-/// A face of more than three corners: triangles of the chunk in a row.
+/// A face of more than three corners: triangles of the chunk, later of the mesh, in a row.
 struct ObjPolygon {
   std::size_t at;  ///< the place of its statement, from the chunk's first byte on
   std::uint32_t first, triangles;
@@ -68,7 +68,6 @@ struct ObjChunk {
   std::vector<Vec3f> vertices;
   std::vector<MeshGeometry::Face> faces;  // polygons are fans around their first corner
   std::vector<ObjPolygon> polygons;
-  std::size_t faceCount = 0;         ///< kept where the faces have been handed on
   std::vector<std::size_t> slivers;  ///< the places of faces of one or two corners, left out
   std::uint64_t highest = 0;         ///< the largest index that was counted from the file's start
   std::uint64_t reachBack = 0;  ///< how many of the vertices before this chunk indices count back

@@ -232,6 +232,17 @@ TEST("nodes of 2020: a Transform and a material hold for all in them, and a ligh
   CHECK_NEAR(hit.getT(), 6, 1e-12);
 }
 
+TEST("after a mistake among the materials of nodes an index out of range is no news") {
+  const std::string path = scenes::write(
+      "scene.txt",
+      "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 30 }\nMaterials { Matrial { } }\n"
+      "Scene { Component<Material> { index 0 } Component<Object> { type sphere radius 1 } }\n");
+  const auto mistakes = SceneParser::check(path.c_str(), nullptr, rulesOf(Language::of2020));
+  std::remove(path.c_str());
+  CHECK_EQUAL(mistakes.size(), std::size_t(1));
+  CHECK_EQUAL(mistakes.at(0).getLine(), std::size_t(2));
+}
+
 TEST("mistakes in nodes have their line") {
   const SceneRules rules = rulesOf(Language::of2020);
   const std::string start =

@@ -110,6 +110,8 @@ TEST("the numbers of a texture are there and in range") {
     CHECK_MISTAKE(with("Noise { " + both + "\noctaves " + octaves + " }"), 3,
                   std::string("expected octaves from 0 to 32, found '") + octaves + "'");
   }
+  // Of all fields the last value holds.
+  CHECK_EQUAL(scenes::mistakeIn(with("Noise { " + both + "octaves 99 octaves 3 }")), "none");
   CHECK_MISTAKE(with("Noise { " + both + "octaves 2.5 }"), 2,
                 "expected a whole number for octaves");
   CHECK_MISTAKE(with("Noise { " + both + "}"), 2, "expected octaves in Noise");
