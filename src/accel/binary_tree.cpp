@@ -31,19 +31,22 @@ std::size_t nodesFor(std::size_t count) { return 2 * count + kBlock * (count / k
 /// What a node costs beyond its surface, for its memory: so small that the expected visits stay
 /// the same within 0.1 %, it saves 4 % of the nodes. Where surfaces vanish, the fewest nodes win.
 float memoryPrice(const Box4& whole, std::size_t count) {
-  return 20 * halfArea(whole) / float(count) + 0x1p-100f;
+  return 20 * whole.halfArea() / float(count) + 0x1p-100f;
 }
 
 /// The range of all items, measured by all threads.
-BuildRange measure(BuildItem* items, std::size_t count, ThreadPool& pool) {
-  if (count <= 8 * kLeastForked) return rangeOf(items, count, 0);
-  BuildRange left, right;
-  pool.both([&] { left = measure(items, count / 2, pool); },
-            [&] { right = measure(items + count / 2, count - count / 2, pool); });
-  left.box.extend(right.box);
-  left.centers.extend(right.centers);
-  left.count = count;
-  return left;
+BuildRange rangeOf(BuildItem* items, std::size_t count, ThreadPool& pool) {
+  BuildRange range{items, count};
+  if (count <= 8 * kLeastForked) {
+    range.measureItems();
+    return range;
+  }
+  BuildRange second;
+  pool.both([&] { range = rangeOf(items, count / 2, pool); },
+            [&] { second = rangeOf(items + count / 2, count - count / 2, pool); });
+  range.measure(second);
+  range.count = count;
+  return range;
 }
 
 }  // namespace
@@ -110,9 +113,7 @@ struct BinaryTree::Block {
 
 BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
     : memory_(nodesFor(count) * sizeof(BinaryNode)), used_(kBlock), items_(items), pool_(pool) {
-  const BuildRange whole = measure(items, count, pool);
-  uniform_ = std::all_of(items, items + count,
-                         [&](const BuildItem& item) { return item.kind == items[0].kind; });
+  const BuildRange whole = rangeOf(items, count, pool);
   memoryPrice_ = memoryPrice(whole.box, count);
   Block block{2};  // the root has no neighbour
   const Subtree tree = build(whole, *static_cast<BinaryNode*>(memory_.data()), block);
@@ -122,16 +123,15 @@ BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
 
 /// The depth of recursion is at most kMostSplits.
 BinaryTree::Subtree BinaryTree::build(const BuildRange& range, BinaryNode& node, Block& block) {
-  range.box.low.store(node.low);  // the fourth lanes land in what is set next
-  range.box.high.store(node.high);
-  if (const int primitives = fittingLeaf(range, uniform_)) {
+  range.box.store(node.low, node.high);  // the fourth lanes land in what is set next
+  if (const int primitives = fittingLeaf(range)) {
     node.first = std::uint32_t(range.first - items_);
     node.plan = BinaryNode::kLeaf | std::uint32_t(range.count);
-    return Subtree::ofLeaf(halfArea(range.box), primitives);
+    return Subtree::ofLeaf(range.box.halfArea(), primitives);
   }
   assert(range.splits < kMostSplits);
   BuildRange left, right;
-  splitRange(range, uniform_, pool_, left, right);
+  splitRange(range, pool_, left, right);
   node.first = block.takePair(used_);
   BinaryNode* pair = static_cast<BinaryNode*>(memory_.data()) + node.first;
   Subtree first, second;
@@ -145,7 +145,7 @@ BinaryTree::Subtree BinaryTree::build(const BuildRange& range, BinaryNode& node,
     first = build(left, pair[0], block);
     second = build(right, pair[1], block);
   }
-  return Subtree::ofNode(halfArea(range.box) + memoryPrice_, first, second, node.plan);
+  return Subtree::ofNode(range.box.halfArea() + memoryPrice_, first, second, node.plan);
 }
 
 }  // namespace accel

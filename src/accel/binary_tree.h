@@ -54,7 +54,6 @@ class BinaryTree {
   std::atomic<std::uint32_t> used_;  ///< of them; blocks are taken from here on
   const BuildItem* const items_;
   ThreadPool& pool_;
-  bool uniform_ = true;
   float memoryPrice_ = 0;
   std::size_t wideNodes_ = 0, mostLeafWords_ = 0;
 };

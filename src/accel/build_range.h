@@ -1,12 +1,38 @@
 // BuildRange: a run of items that becomes a subtree, and the boxes that the builder steers by.
+//
+// Boxes are in vectors of four floats, by the compiler's own: SSE2 or NEON where there is one. Only
+// what every processor of its kind has is used, so that all translation units see the same
+// functions.
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "accel/bvh_builder.h"
-#include "accel/simd4.h"
 
 namespace accel {
+
+typedef float Float4 __attribute__((vector_size(16)));
+typedef std::int32_t Int4 __attribute__((vector_size(16)));
+
+inline Float4 loadFloat4(const float* p) {
+  Float4 result;
+  std::memcpy(&result, p, sizeof result);
+  return result;
+}
+inline Float4 allFloat4(float x) { return Float4{x, x, x, x}; }
+/// These return b where a is a NaN, on every processor; where they are one instruction, compilers
+/// know.
+inline Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
+/// The first three lanes; the fourth becomes 0.
+inline Float4 firstThree(Float4 a) { return Float4(Int4(a) & Int4{-1, -1, -1, 0}); }
+/// `a` where `mask` is 0; a NaN in every lane where it is -1, which smaller and larger pass over.
+inline Float4 unlessMasked(Float4 a, std::int32_t mask) { return Float4(Int4(a) | mask); }
+
+/// Starts to bring the cache line of `address` near; any address will do.
+inline void prefetch(const void* address) { __builtin_prefetch(address); }
 
 /// A box in the first three lanes. The fourth holds anything: items are loaded whole.
 struct Box4 {
@@ -14,7 +40,13 @@ struct Box4 {
 
   static Box4 empty() {
     constexpr float inf = std::numeric_limits<float>::infinity();
-    return {Float4::all(inf), Float4::all(-inf)};
+    return {allFloat4(inf), allFloat4(-inf)};
+  }
+  static Box4 of(const BuildItem& item) { return {loadFloat4(item.low), loadFloat4(item.high)}; }
+  /// Stores the box; the fourth lanes land behind the two arrays.
+  void store(float* lows, float* highs) const {
+    std::memcpy(lows, &low, sizeof low);
+    std::memcpy(highs, &high, sizeof high);
   }
   void extend(const Box4& other) {
     low = smaller(other.low, low);
@@ -24,39 +56,36 @@ struct Box4 {
     low = smaller(point, low);
     high = larger(point, high);
   }
+  /// Twice its centre; the fourth lane is 0.
+  Float4 center() const { return firstThree(low + high); }
+  /// The sides; the fourth lane is 0.
+  Float4 sides() const { return firstThree(high - low); }
+  /// Half its surface, where it is not empty.
+  float halfArea() const {
+    const Float4 d = sides();
+    return d[0] * d[1] + d[2] * (d[0] + d[1]);
+  }
 };
-
-inline Box4 boxOf(const BuildItem& item) {
-  return {Float4::load(item.low), Float4::load(item.high)};
-}
-/// Twice the centre of an item's box; the fourth lane is 0.
-inline Float4 centerOf(const Box4& box) { return firstThree(box.low + box.high); }
-inline float centerOf(const BuildItem& item, int axis) { return item.low[axis] + item.high[axis]; }
-
-/// Half the surface of a box that is not empty.
-inline float halfArea(const Box4& box) {
-  float d[4];
-  firstThree(box.high - box.low).store(d);
-  return d[0] * d[1] + d[2] * (d[0] + d[1]);
-}
 
 struct BuildRange {
-  BuildItem* first;
-  std::size_t count;
-  Box4 box;      ///< around the items
-  Box4 centers;  ///< around twice their centres
-  int splits;    ///< binary splits above it
-};
+  BuildItem* first = nullptr;
+  std::size_t count = 0;
+  int splits = 0;                ///< binary splits above it
+  Box4 box = Box4::empty();      ///< around the items
+  Box4 centers = Box4::empty();  ///< around twice their centres
 
-/// Measures the boxes of `count` items.
-inline BuildRange rangeOf(BuildItem* first, std::size_t count, int splits) {
-  BuildRange range{first, count, Box4::empty(), Box4::empty(), splits};
-  for (const BuildItem* item = first; item != first + count; ++item) {
-    const Box4 box = boxOf(*item);
-    range.box.extend(box);
-    range.centers.extend(centerOf(box));
+  /// Extends the boxes by those of other items.
+  void measure(const Box4& item) {
+    box.extend(item);
+    centers.extend(item.center());
   }
-  return range;
-}
+  void measure(const BuildRange& other) {
+    box.extend(other.box);
+    centers.extend(other.centers);
+  }
+  void measureItems() {
+    for (std::size_t i = 0; i < count; ++i) measure(Box4::of(first[i]));
+  }
+};
 
 }  // namespace accel

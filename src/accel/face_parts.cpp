@@ -59,7 +59,7 @@ class ItemFaces {
       const Vec3f normal = cross(corners_[i + 1] - corners_[i], corners_[i + 2] - corners_[i]);
       shown += std::fabs(normal.x()) + std::fabs(normal.y()) + std::fabs(normal.z());
     }
-    const float surface = halfArea(box);
+    const float surface = box.halfArea();
     return surface > kSlanting * shown ? surface - shown : 0;
   }
 
@@ -92,23 +92,19 @@ class ItemFaces {
     Box4 box = Box4::empty();
     for (int i = 0; i < count_; ++i) {
       const Vec3f &a = corners_[i], &b = corners_[i % 3 == 2 ? i - 2 : i + 1];
-      if (isAbove ? a[axis] >= plane : a[axis] <= plane)
-        box.extend(Float4::of(a.x(), a.y(), a.z()));
+      if (isAbove ? a[axis] >= plane : a[axis] <= plane) box.extend(Float4{a.x(), a.y(), a.z(), 0});
       if ((a[axis] < plane) == (b[axis] < plane)) continue;
       // Each of the two differences, their quotient, the product and the sum is off by at most
       // 2^-24 of itself, all together by less than 12 of these of the largest coordinate.
       const Vec3f place = a + (b - a) * ((plane - a[axis]) / (b[axis] - a[axis]));
-      const Float4 middle = Float4::of(place.x(), place.y(), place.z());
-      const Float4 error = Float4::all(std::max(maxAbs(a), maxAbs(b)) * 0x1p-20f);
+      const Float4 middle{place.x(), place.y(), place.z(), 0};
+      const Float4 error = allFloat4(std::max(maxAbs(a), maxAbs(b)) * 0x1p-20f);
       box.extend({middle - error, middle + error});
     }
-    float low[4], high[4];
-    box.low.store(low);
-    box.high.store(high);
     bool isLeft = true;
     for (int k = 0; k < 3; ++k) {
-      side.low[k] = std::max(side.low[k], low[k]);
-      side.high[k] = std::min(side.high[k], high[k]);
+      side.low[k] = std::max(side.low[k], box.low[k]);
+      side.high[k] = std::min(side.high[k], box.high[k]);
       isLeft = isLeft && side.low[k] <= side.high[k];
     }
     return isLeft;
@@ -161,7 +157,7 @@ Value sumOf(BuildItems& items, ThreadPool& pool, const ValueOf& valueOf) {
 /// How often a line through the mesh, whose sides are given, meets one of the items.
 double meetings(BuildItems& items, const Vec3d& sides, ThreadPool& pool) {
   const double surfaces = sumOf<double>(
-      items, pool, [](const BuildItem& item) { return double(halfArea(boxOf(item))); });
+      items, pool, [](const BuildItem& item) { return double(Box4::of(item).halfArea()); });
   const double whole = sides.x() * sides.y() + sides.z() * (sides.x() + sides.y());
   return whole > 0 ? surfaces / whole : 0;
 }
@@ -176,7 +172,7 @@ bool divideIntoParts(const MeshGeometry& geometry, float scale, BuildItems& item
   if (items.count() == 0 || meetings(items, sides, pool) < kLeastMet) return false;
 
   const auto weightOf = [&](const BuildItem& item) {
-    return double(std::sqrt(ItemFaces(geometry, scale, item).excess(boxOf(item))));
+    return double(std::sqrt(ItemFaces(geometry, scale, item).excess(Box4::of(item))));
   };
   const auto all = sumOf<Slanting>(items, pool, [&](const BuildItem& item) {
     const double weight = weightOf(item);

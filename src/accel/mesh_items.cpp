@@ -19,7 +19,7 @@
 namespace accel {
 namespace {
 
-Float4 asFloat4(const Vec3f& v) { return Float4::of(v.x(), v.y(), v.z()); }
+Float4 asFloat4(const Vec3f& v) { return Float4{v.x(), v.y(), v.z(), 0}; }
 
 /// Whether triangle::areaNormal is not 0, mostly without computing it: rounding changes the float
 /// normal by less than 2^-21 of the product of the edges, a denormal by less than 2^-120.
@@ -39,8 +39,7 @@ bool shareEdge(const MeshGeometry::Face& a, const MeshGeometry::Face& b) {
 }
 
 void set(BuildItem& item, const Box4& box, std::size_t face, int primitives) {
-  box.low.store(item.low);  // the fourth lanes land in what is set next
-  box.high.store(item.high);
+  box.store(item.low, item.high);  // the fourth lanes land in what is set next
   item.id = std::uint32_t(face);
   item.kind = LeafKind::meshTriangles;
   item.primitives = std::uint16_t(primitives);
@@ -51,10 +50,10 @@ void set(BuildItem& item, const Box4& box, std::size_t face, int primitives) {
 bool join(const MeshGeometry& geometry, std::size_t face, const Box4& box, BuildItem& item) {
   if (item.id + 1 != face || item.primitives != 1) return false;
   if (!shareEdge(geometry.getFaces()[item.id], geometry.getFaces()[face])) return false;
-  const Box4 other = boxOf(item);
+  const Box4 other = Box4::of(item);
   Box4 both = other;
   both.extend(box);
-  if (!(halfArea(both) <= halfArea(box) + halfArea(other))) return false;
+  if (!(both.halfArea() <= box.halfArea() + other.halfArea())) return false;
   set(item, both, item.id, 2);
   return true;
 }
@@ -64,7 +63,7 @@ BuildItem* appendItems(const MeshGeometry& geometry, float scale, bool inPairs, 
                        std::size_t end, BuildItem* item) {
   const BuildItem* const first = item;
   const std::vector<Vec3f>& vertices = geometry.getVertices();
-  const Float4 scales = Float4::all(scale);
+  const Float4 scales = allFloat4(scale);
   for (std::size_t i = begin; i < end; ++i) {
     const MeshGeometry::Face& face = geometry.getFaces()[i];
     const Vec3f &v0 = vertices[face[0]], &v1 = vertices[face[1]], &v2 = vertices[face[2]];

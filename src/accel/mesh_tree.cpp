@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
+#include "accel/build_range.h"
 #include "accel/face_parts.h"
 #include "accel/mesh_items.h"
-#include "accel/simd4.h"
 #include "accel/thread_pool.h"
 #include "math/bounding_box.h"
 

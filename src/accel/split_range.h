@@ -5,14 +5,12 @@
 
 namespace accel {
 
-/// Splits a range of at least two items that cannot be one leaf. `uniform` says that all items of
-/// the tree are of one kind. Large ranges are split by all threads of `pool`; the outcome does
-/// not depend on their number.
-void splitRange(const BuildRange& range, bool uniform, ThreadPool& pool, BuildRange& left,
-                BuildRange& right);
+/// Splits a range of at least two items that cannot be one leaf. Large ranges are split by all
+/// threads of `pool`; the outcome does not depend on their number.
+void splitRange(const BuildRange& range, ThreadPool& pool, BuildRange& left, BuildRange& right);
 
 /// How many primitives the range has where it may be one leaf: few enough, of one kind; else 0.
-int fittingLeaf(const BuildRange& range, bool uniform);
+int fittingLeaf(const BuildRange& range);
 
 /// The most binary levels of a tree: beyond kMostSahSplits a range is halved by number.
 constexpr int kMostSahSplits = 40;

@@ -84,7 +84,7 @@ bool isIn(const Vec3d& point, const BuildItem& item) {
 
 double halfAreas(const std::vector<BuildItem>& items) {
   double sum = 0;
-  for (const BuildItem& item : items) sum += double(halfArea(accel::boxOf(item)));
+  for (const BuildItem& item : items) sum += double(accel::Box4::of(item).halfArea());
   return sum;
 }
 
