@@ -67,7 +67,10 @@ void Stream::leaveFrame(const std::uint16_t* inside, int size) {
 }
 
 void Stream::lowerBound(int ray, double t) {
-  boxRays[ray].tmaxUp = std::min(boxRays[ray].tmaxUp, maps[ray].above(t));
+  // In the plane of a triangle its double function may give any t, even one before the tree; then
+  // others at the same t must not drop out.
+  const float most = std::max(maps[ray].above(t), 0.0f);
+  boxRays[ray].tmaxUp = std::min(boxRays[ray].tmaxUp, most);
   primitiveRays[ray].tmaxDown = std::min(primitiveRays[ray].tmaxDown, maps[ray].below(t));
 }
 
