@@ -55,8 +55,7 @@ class Bins {
   /// all items.
   Split best(const Box4& box, int blockBits) const {
     // Surfaces are taken relative to the longest side: those of tiny boxes would underflow.
-    const Float4 sides = box.sides();
-    const float unit = 1 / std::max({sides[0], sides[1], sides[2], 0x1p-120f});
+    const float unit = 1 / std::max(box.longestSide(), 0x1p-120f);
     Float4 leftCost[kMostBins], rightCost[kMostBins];
     sweep(0, 1, unit, blockBits, leftCost);
     sweep(count_ - 1, -1, unit, blockBits, rightCost);

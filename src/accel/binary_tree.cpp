@@ -111,8 +111,13 @@ struct BinaryTree::Block {
   }
 };
 
-BinaryTree::BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool)
-    : memory_(nodesFor(count) * sizeof(BinaryNode)), used_(kBlock), items_(items), pool_(pool) {
+BinaryTree::BinaryTree(BuildItem* items, std::size_t count, const LeafWriter& writer,
+                       ThreadPool& pool)
+    : memory_(nodesFor(count) * sizeof(BinaryNode)),
+      used_(kBlock),
+      items_(items),
+      writer_(writer),
+      pool_(pool) {
   const BuildRange whole = rangeOf(items, count, pool);
   memoryPrice_ = memoryPrice(whole.box, count);
   Block block{2};  // the root has no neighbour
@@ -130,8 +135,15 @@ BinaryTree::Subtree BinaryTree::build(const BuildRange& range, BinaryNode& node,
     return Subtree::ofLeaf(range.box.halfArea(), primitives);
   }
   assert(range.splits < kMostSplits);
+  const Split split = range.splits < kMostSahSplits ? bestSplit(range) : Split();
+  if (split.axis < 0 && range.splits <= kMostSahSplits) {
+    BuildRange unlike = range;  // where no split tells items apart they are halved from here on
+    unlike.count = writer_.dropCopies(range.first, range.count);
+    unlike.splits = kMostSahSplits + 1;
+    return build(unlike, node, block);
+  }
   BuildRange left, right;
-  splitRange(range, pool_, left, right);
+  splitRange(range, split, pool_, left, right);
   node.first = block.takePair(used_);
   BinaryNode* pair = static_cast<BinaryNode*>(memory_.data()) + node.first;
   Subtree first, second;

@@ -1,6 +1,5 @@
 // BinaryTree: what the builder makes first, with the cheapest way to collapse it into wide nodes.
 #pragma once
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
@@ -24,18 +23,16 @@ struct BinaryNode {
   int items() const { return int(plan & ~kLeaf); }
   int slotsOfFirst(int slots) const { return int(plan >> (3 * (slots - 2)) & 7); }
   int openFrom() const { return int(plan >> 21); }
-  float longestSide() const {
-    return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-  }
 };
 static_assert(sizeof(BinaryNode) == 32, "a box and two numbers");
 
 class BinaryTree {
  public:
-  /// Builds the tree over `count` >= 1 items, which are reordered: in the tree's order of leaves
-  /// they are then one behind the other. But for the numbers of nodes, it is a function of the
+  /// Builds the tree over `count` >= 1 items, which are reordered: those of a leaf are then one
+  /// behind the other, and leaves are in the tree's order. Of very many items at one place, those
+  /// are left out that `writer` says. But for the numbers of nodes, the tree is a function of the
   /// items alone.
-  BinaryTree(BuildItem* items, std::size_t count, ThreadPool& pool);
+  BinaryTree(BuildItem* items, std::size_t count, const LeafWriter& writer, ThreadPool& pool);
 
   const BinaryNode& root() const { return *static_cast<const BinaryNode*>(memory_.data()); }
   /// The two halves of a node that is no leaf.
@@ -53,6 +50,7 @@ class BinaryTree {
   PageBuffer memory_;                ///< BinaryNodes
   std::atomic<std::uint32_t> used_;  ///< of them; blocks are taken from here on
   const BuildItem* const items_;
+  const LeafWriter& writer_;
   ThreadPool& pool_;
   float memoryPrice_ = 0;
   std::size_t wideNodes_ = 0, mostLeafWords_ = 0;

@@ -4,6 +4,7 @@
 // what every processor of its kind has is used, so that all translation units see the same
 // functions.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -42,7 +43,11 @@ struct Box4 {
     constexpr float inf = std::numeric_limits<float>::infinity();
     return {allFloat4(inf), allFloat4(-inf)};
   }
-  static Box4 of(const BuildItem& item) { return {loadFloat4(item.low), loadFloat4(item.high)}; }
+  /// The box of an item or a node.
+  template <class Boxed>
+  static Box4 of(const Boxed& boxed) {
+    return {loadFloat4(boxed.low), loadFloat4(boxed.high)};
+  }
   /// Stores the box; the fourth lanes land behind the two arrays.
   void store(float* lows, float* highs) const {
     std::memcpy(lows, &low, sizeof low);
@@ -60,6 +65,10 @@ struct Box4 {
   Float4 center() const { return firstThree(low + high); }
   /// The sides; the fourth lane is 0.
   Float4 sides() const { return firstThree(high - low); }
+  float longestSide() const {
+    const Float4 d = sides();
+    return std::max({d[0], d[1], d[2]});
+  }
   /// Half its surface, where it is not empty.
   float halfArea() const {
     const Float4 d = sides();

@@ -119,7 +119,7 @@ class WideNodeBuilder {
     if (node.isLeaf()) return addLeaf(node, *job.child);
     const std::size_t number = *job.child;
     Place place = {parent.level + 1, parent.frames, parent.frameSize};
-    const float size = node.longestSide();
+    const float size = Box4::of(node).longestSide();
     if (shared_.hasFrames && size < parent.frameSize * kFrameStep && size > TreeFrame::kLeast) {
       *job.child |= kFrameBit;
       place = {parent.level + 2, parent.frames + 1, size};
@@ -232,7 +232,7 @@ std::uint32_t leafHead(float edge, LeafKind kind, int count, int vertices) {
 
 void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, ThreadPool& pool) {
   if (items.count() == 0) return;
-  const BinaryTree tree(items.data(), items.count(), pool);
+  const BinaryTree tree(items.data(), items.count(), writer, pool);
   const std::size_t mostWords = 1 + tree.mostLeafWords();
   if (mostWords >= kLeafBit) throw std::length_error("too many primitives for one tree");
   bvh.nodeCount = tree.wideNodes();
@@ -243,7 +243,7 @@ void buildWideBvh(WideBvh& bvh, BuildItems items, const LeafWriter& writer, Thre
   Collapse collapse{tree, items, writer, bvh};
   std::vector<Job> jobs;
   WideNodeBuilder top(collapse);
-  top.makeNode(0, tree.root(), {1, 0, tree.root().longestSide()}, &jobs);
+  top.makeNode(0, tree.root(), {1, 0, Box4::of(tree.root()).longestSide()}, &jobs);
   top.finish();
   pool.forEachIndex(jobs.size(), [&](std::size_t i) {
     WideNodeBuilder builder(collapse);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "accel/thread_pool.h"
 #include "accel/wide_bvh.h"
@@ -30,13 +31,12 @@ class BuildItems {
 
   BuildItem* data() { return static_cast<BuildItem*>(memory_.data()); }
   std::size_t count() const { return count_; }
-  /// Says how many of them, from the front, there are; there is no room for more then, but in the
-  /// large page of the last one: what is left of a large page is slow to read (build time 1.03).
-  void setCount(std::size_t count) {
-    count_ = count;
-    memory_.shrink((count + kPerLargePage - 1) / kPerLargePage * kPerLargePage * sizeof(BuildItem));
-  }
-  void add(const BuildItem& item) { data()[count_++] = item; }
+  /// Room for `count` more, behind the others.
+  BuildItem* append(std::size_t count) { return data() + std::exchange(count_, count_ + count); }
+  /// Gives back the room for more, but what is left of the last item's large page: it would be slow
+  /// to read then (build time 1.03).
+  void trim() { memory_.shrink((count_ / kPerLargePage + 1) * kPerLargePage * sizeof(BuildItem)); }
+  void add(const BuildItem& item) { *append(1) = item; }
   /// Gives back the memory of items [begin, end) as far as it fills pages. Thread-safe. Less than
   /// large pages should not be: reading what is left of one is slow (build time 1.3).
   void discard(std::size_t begin, std::size_t end) {
@@ -55,6 +55,9 @@ class LeafWriter {
   /// Writes a leaf of `count` items, which are all of one kind, to `words`, where there is room for
   /// kMostLeafWords; returns how many it took.
   virtual int write(const BuildItem* items, int count, std::uint32_t* words) const = 0;
+  /// Of `count` items that no split can tell apart, moves those to the front that the tree is to
+  /// hold, and returns how many. What is alike in many items may be held by one of them.
+  virtual std::size_t dropCopies(BuildItem* /*items*/, std::size_t count) const { return count; }
   /// `count` items before those that are written next, of `left` in a row.
   virtual void prepare(const BuildItem* /*items*/, int /*count*/, std::size_t /*left*/) const {}
 };

@@ -19,13 +19,13 @@
 // a face in several leaves.
 // Sources: Ernst and Greiner, "Early Split Clipping for Bounding Volume Hierarchies", 2007; Karras
 // and Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", 2013.
-#include "accel/face_parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "accel/build_range.h"
+#include "accel/mesh_items.h"
 
 namespace accel {
 namespace {
@@ -114,89 +114,37 @@ class ItemFaces {
   int count_ = 0;
 };
 
-float longestSide(const BuildItem& item) {
-  return std::max(
-      {item.high[0] - item.low[0], item.high[1] - item.low[1], item.high[2] - item.low[2]});
-}
-
-/// How many items slant, and the sum of their weights: the roots of what they gain by parts.
-struct Slanting {
-  double count = 0, weights = 0;
-
-  void operator+=(const Slanting& other) {
-    count += other.count;
-    weights += other.weights;
-  }
-};
-
-constexpr std::size_t kChunk = 32768;
-
-/// Calls visit(chunk, first, last) for each chunk of the items, by all threads.
-template <class Visit>
-void forEachChunk(BuildItems& items, ThreadPool& pool, const Visit& visit) {
-  pool.forEachIndex((items.count() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-    const BuildItem* first = items.data() + chunk * kChunk;
-    visit(chunk, first, first + std::min(kChunk, items.count() - chunk * kChunk));
-  });
-}
-
-/// The sum of what valueOf gives for all items, always added in the same order.
-template <class Value, class ValueOf>
-Value sumOf(BuildItems& items, ThreadPool& pool, const ValueOf& valueOf) {
-  std::vector<Value> sums(items.count() / kChunk + 1);
-  forEachChunk(items, pool, [&](std::size_t chunk, const BuildItem* first, const BuildItem* last) {
-    Value sum{};
-    for (const BuildItem* item = first; item != last; ++item) sum += valueOf(*item);
-    sums[chunk] = sum;
-  });
-  Value sum{};
-  for (const Value& each : sums) sum += each;
-  return sum;
-}
-
-/// How often a line through the mesh, whose sides are given, meets one of the items.
-double meetings(BuildItems& items, const Vec3d& sides, ThreadPool& pool) {
-  const double surfaces = sumOf<double>(
-      items, pool, [](const BuildItem& item) { return double(Box4::of(item).halfArea()); });
-  const double whole = sides.x() * sides.y() + sides.z() * (sides.x() + sides.y());
-  return whole > 0 ? surfaces / whole : 0;
-}
-
 }  // namespace
 
-bool divideIntoParts(const MeshGeometry& geometry, float scale, BuildItems& items,
-                     ThreadPool& pool) {
+bool divideIntoParts(const MeshGeometry& geometry, float scale, MeshItems& all) {
   BoundingBox box;
   geometry.addBounds(Matrix(), box);
   const Vec3d sides = (box.high() - box.low()) * double(scale);
-  if (items.count() == 0 || meetings(items, sides, pool) < kLeastMet) return false;
+  const double whole = sides.x() * sides.y() + sides.z() * (sides.x() + sides.y());
+  if (!(whole > 0) || all.halfAreas < kLeastMet * whole) return false;
 
-  const auto weightOf = [&](const BuildItem& item) {
-    return double(std::sqrt(ItemFaces(geometry, scale, item).excess(Box4::of(item))));
-  };
-  const auto all = sumOf<Slanting>(items, pool, [&](const BuildItem& item) {
-    const double weight = weightOf(item);
-    return Slanting{weight > 0 ? 1.0 : 0.0, weight};
-  });
-  if (all.count == 0 || all.count > kMostSlanting) return false;
-  const double partsOfWeight = (kMostParts - 1) * all.count / all.weights;
-  const double partsOfSide = kFinest / maxAbs(sides);
-  std::vector<std::vector<BuildItem>> parts(items.count() / kChunk + 1);
-  forEachChunk(items, pool, [&](std::size_t chunk, const BuildItem* first, const BuildItem* last) {
-    for (const BuildItem* item = first; item != last; ++item) {
-      const double most = std::max(1.0, partsOfSide * double(longestSide(*item)));
-      const double count = std::min(1 + partsOfWeight * weightOf(*item), most);
-      ItemFaces(geometry, scale, *item).divide(*item, int(count), parts[chunk]);
-    }
-  });
-  std::size_t count = 0;
-  for (const auto& each : parts) count += each.size();
-  const bool areDivided = count > items.count();
-  items = BuildItems(count);
-  for (const auto& each : parts) {
-    for (const BuildItem& part : each) items.add(part);
+  const BuildItem* const items = all.items.data();
+  const std::size_t count = all.items.count();
+  std::vector<double> weights(count);  // the roots of what items gain by parts
+  double slanting = 0, sum = 0;
+  for (std::size_t i = 0; i < count && slanting <= kMostSlanting; ++i) {
+    weights[i] = std::sqrt(double(ItemFaces(geometry, scale, items[i]).excess(Box4::of(items[i]))));
+    slanting += weights[i] > 0;
+    sum += weights[i];
   }
-  return areDivided;
+  if (slanting == 0 || slanting > kMostSlanting) return false;
+  const double partsOfWeight = (kMostParts - 1) * slanting / sum;
+  const double partsOfSide = kFinest / maxAbs(sides);
+  std::vector<BuildItem> parts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double most = std::max(1.0, partsOfSide * double(Box4::of(items[i]).longestSide()));
+    const double wanted = std::min(1 + partsOfWeight * weights[i], most);
+    ItemFaces(geometry, scale, items[i]).divide(items[i], int(wanted), parts);
+  }
+  if (parts.size() == count) return false;
+  all.items = BuildItems(parts.size());
+  std::copy(parts.begin(), parts.end(), all.items.append(parts.size()));
+  return true;
 }
 
 }  // namespace accel

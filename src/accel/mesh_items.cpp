@@ -5,12 +5,18 @@
 // 1.1 of the triangles tested.
 //
 // Boxes are the exact boxes of the scaled corners. Faces without area are left out: no ray hits
-// them.
+// them. Chunks of faces are done side by side; what they yield is put down in turn, so that it is
+// without gaps.
+//
+// Many faces with the very same corners would all be in the way of a ray that meets one. No split
+// tells them apart, so the builder comes to a range of nothing else, and asks to drop copies.
 #include "accel/mesh_items.h"
 
 #include <algorithm>
 #include <array>
+#include <condition_variable>
 #include <cstring>
+#include <mutex>
 #include <unordered_map>
 
 #include "accel/build_range.h"
@@ -58,9 +64,9 @@ bool join(const MeshGeometry& geometry, std::size_t face, const Box4& box, Build
   return true;
 }
 
-/// Appends the items of faces [begin, end) that have an area at `item`; returns the end.
-BuildItem* appendItems(const MeshGeometry& geometry, float scale, bool inPairs, std::size_t begin,
-                       std::size_t end, BuildItem* item) {
+/// Stores the items of faces [begin, end) that have an area at `item`; returns the end.
+BuildItem* storeItems(const MeshGeometry& geometry, float scale, std::size_t begin, std::size_t end,
+                      BuildItem* item) {
   const BuildItem* const first = item;
   const std::vector<Vec3f>& vertices = geometry.getVertices();
   const Float4 scales = allFloat4(scale);
@@ -70,78 +76,91 @@ BuildItem* appendItems(const MeshGeometry& geometry, float scale, bool inPairs, 
     if (!hasArea(v0, v1, v2)) continue;
     const Float4 a = asFloat4(v0), b = asFloat4(v1), c = asFloat4(v2);
     const Box4 box = {smaller(a, smaller(b, c)) * scales, larger(a, larger(b, c)) * scales};
-    if (inPairs && item != first && join(geometry, i, box, item[-1])) continue;
+    if (item != first && join(geometry, i, box, item[-1])) continue;
     set(*item++, box, i, 1);
   }
   return item;
 }
 
-/// The bits of a face's corners.
-using Corners = std::array<std::uint32_t, 9>;
+/// What tells items apart: the bits of their boxes, and of the corners of one or two faces.
+using Likeness = std::array<std::uint32_t, 6 + 18>;
 
-Corners cornersOf(const MeshGeometry& geometry, std::uint32_t face) {
-  Corners corners;
-  for (std::size_t k = 0; k < 9; ++k) {
-    const Vec3f& vertex = geometry.getVertices()[geometry.getFaces()[face][k / 3]];
-    const float value = vertex[int(k % 3)];
-    std::memcpy(&corners[k], &value, sizeof value);
+Likeness likenessOf(const MeshGeometry& geometry, const BuildItem& item) {
+  Likeness bits{};
+  std::memcpy(&bits[0], item.low, sizeof item.low);
+  std::memcpy(&bits[3], item.high, sizeof item.high);
+  std::uint32_t* next = &bits[6];
+  for (std::uint32_t face = item.id; face != item.id + item.primitives; ++face) {
+    for (const std::uint32_t vertex : geometry.getFaces()[face]) {
+      for (int axis = 0; axis < 3; ++axis, ++next) {
+        const float value = geometry.getVertices()[vertex][axis];
+        std::memcpy(next, &value, sizeof value);
+      }
+    }
   }
-  return corners;
+  return bits;
 }
 
-struct CornersHash {
-  std::size_t operator()(const Corners& corners) const {
+struct LikenessHash {
+  std::size_t operator()(const Likeness& likeness) const {
     std::uint64_t hash = 0;
-    for (const std::uint32_t bits : corners) hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+    for (const std::uint32_t bits : likeness) hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
     return std::size_t(hash ^ hash >> 32);
   }
 };
 
 }  // namespace
 
-BuildItems meshItems(const MeshGeometry& geometry, float scale, bool inPairs, ThreadPool& pool) {
-  constexpr std::size_t kChunk = 32768;
+MeshItems meshItems(const MeshGeometry& geometry, float scale, ThreadPool& pool) {
+  constexpr std::size_t kChunk = 4096;
   const std::size_t faces = geometry.faceCount();
-  BuildItems items(faces);
-  std::vector<std::size_t> counts((faces + kChunk - 1) / kChunk);
-  pool.forEachIndex(counts.size(), [&](std::size_t chunk) {
-    const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, faces);
-    BuildItem* first = items.data() + begin;
-    counts[chunk] = std::size_t(appendItems(geometry, scale, inPairs, begin, end, first) - first);
+  MeshItems all{BuildItems(faces), 0};
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::size_t turn = 0;  // of the chunk that is put down next
+  pool.forEachIndex((faces + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    BuildItem items[kChunk];
+    const std::size_t begin = chunk * kChunk;
+    const BuildItem* const end =
+        storeItems(geometry, scale, begin, std::min(begin + kChunk, faces), items);
+    double halfAreas = 0;
+    for (const BuildItem* item = items; item != end; ++item) {
+      halfAreas += double(Box4::of(*item).halfArea());
+    }
+    std::unique_lock<std::mutex> lock(mutex);
+    changed.wait(lock, [&] { return turn == chunk; });
+    BuildItem* const place = all.items.append(std::size_t(end - items));
+    all.halfAreas += halfAreas;
+    ++turn;
+    lock.unlock();
+    changed.notify_all();
+    std::copy<const BuildItem*>(items, end, place);
   });
-  std::size_t count = 0;  // the gaps that pairs and faces without area leave are closed
-  for (std::size_t chunk = 0; chunk < counts.size(); ++chunk) {
-    const BuildItem* first = items.data() + chunk * kChunk;
-    if (count != chunk * kChunk) std::copy(first, first + counts[chunk], items.data() + count);
-    count += counts[chunk];
-  }
-  items.setCount(count);
-  return items;
+  all.items.trim();
+  return all;
 }
 
-std::vector<FaceCopies> dropCopies(const MeshGeometry& geometry,
-                                   const std::vector<std::uint32_t>& faces, BuildItems& items) {
-  std::unordered_map<Corners, FaceCopies, CornersHash> found;
-  for (const std::uint32_t face : faces) found[cornersOf(geometry, face)] = FaceCopies{};
-  BuildItem* end = items.data();
-  for (const BuildItem* item = end; item != items.data() + items.count(); ++item) {
-    const auto place = found.find(cornersOf(geometry, item->id));
-    if (place != found.end()) {
-      FaceCopies& copies = place->second;
-      if (++copies.count == 1) copies.face = item->id;
-      if (copies.count == 2) copies.next = item->id;
-      if (copies.count > 1) continue;
-    }
+std::size_t dropCopies(const MeshGeometry& geometry, BuildItem* items, std::size_t count,
+                       std::vector<FaceCopies>& copies) {
+  std::unordered_map<Likeness, FaceCopies, LikenessHash> found;
+  for (const BuildItem* item = items; item != items + count; ++item) {
+    FaceCopies& like =
+        found.try_emplace(likenessOf(geometry, *item), FaceCopies{~0u, ~0u, 0}).first->second;
+    ++like.count;
+    like.next = std::min(like.next, std::max(like.face, item->id));
+    like.face = std::min(like.face, item->id);
+  }
+  BuildItem* end = items;
+  for (const BuildItem* item = items; item != items + count; ++item) {
+    const FaceCopies& like = found.at(likenessOf(geometry, *item));
+    const bool areMany = int(like.count) * item->primitives > mostInLeaf(item->kind);
+    if (areMany && item->id != like.face) continue;
     *end++ = *item;
+    for (std::uint32_t k = 0; areMany && k < item->primitives; ++k) {
+      copies.push_back({like.face + k, like.next + k, like.count});
+    }
   }
-  items.setCount(std::size_t(end - items.data()));
-  std::vector<FaceCopies> dropped;
-  for (const auto& each : found) {
-    if (each.second.count > 1) dropped.push_back(each.second);
-  }
-  std::sort(dropped.begin(), dropped.end(),
-            [](const FaceCopies& a, const FaceCopies& b) { return a.face < b.face; });
-  return dropped;
+  return std::size_t(end - items);
 }
 
 }  // namespace accel

@@ -4,10 +4,6 @@
 // loses no digit unless a number leaves the range of float, so dividing gives back the mesh's own
 // corners; where any does not come back, they are fetched from the mesh instead. The anchor is the
 // mesh's origin: taking anything else away would round. All steps go over chunks by all threads.
-//
-// Many faces with the very same corners would all be in the way of a ray that meets one. They end
-// up in leaves whose boxes are all the same; where there are several such leaves, the tree is built
-// again of the first of each and the number of its copies.
 #include "accel/mesh_tree.h"
 
 #include <algorithm>
@@ -19,7 +15,6 @@
 #include <vector>
 
 #include "accel/build_range.h"
-#include "accel/face_parts.h"
 #include "accel/mesh_items.h"
 #include "accel/thread_pool.h"
 #include "math/bounding_box.h"
@@ -60,21 +55,11 @@ struct LocalVertices {
   std::uint32_t vertices_[kMost + 1] = {0xffffffffu};  // the first is none
 };
 
-/// From so many faces on that lie on others, copies are looked for.
-constexpr std::size_t kPilesThatPay = 64;
-
-/// What turns out while leaves are written. Any thread may add.
+/// What turns out while the tree is built. Any thread may add.
 struct Findings {
-  std::atomic<bool> isExact{true};   ///< scaling has lost no digit
-  std::vector<std::uint32_t> piled;  ///< faces of leaves in which all have the same box
-
-  void addPile(const std::uint32_t* words, int count) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (int i = 0; i < count; ++i) piled.push_back(words[i] & ~kIdBit);
-  }
-
- private:
-  std::mutex mutex_;
+  std::atomic<bool> isExact{true};  ///< scaling has lost no digit
+  std::mutex mutex;
+  std::vector<FaceCopies> copies;  ///< guarded by mutex
 };
 
 /// Writes leaves of corners, scaled.
@@ -99,8 +84,12 @@ class MeshLeafWriter : public LeafWriter {
                         n, local.count);
     std::memcpy(words + 1, places, sizeof places);
     std::copy(faces, faces + n, words + kFirstRow + 3 * local.count);
-    if (isPile(items, count, n)) findings_.addPile(faces, n);
     return kFirstRow + 3 * local.count + n;
+  }
+
+  std::size_t dropCopies(BuildItem* items, std::size_t count) const override {
+    const std::lock_guard<std::mutex> lock(findings_.mutex);
+    return accel::dropCopies(geometry_, items, count, findings_.copies);
   }
 
   /// The items come in no order of the mesh, so every face and vertex would be waited for.
@@ -139,16 +128,6 @@ class MeshLeafWriter : public LeafWriter {
     }
     return edge;
   }
-  /// Whether all boxes are the same. More of them than a leaf takes are halved by number, so that
-  /// half a leaf of them is left at least.
-  static bool isPile(const BuildItem* items, int count, int faces) {
-    return faces >= mostInLeaf(LeafKind::meshTriangles) / 2 && count > 1 &&
-           std::all_of(items + 1, items + count, [&](const BuildItem& item) {
-             return std::equal(item.low, item.low + 3, items[0].low) &&
-                    std::equal(item.high, item.high + 3, items[0].high);
-           });
-  }
-
   const MeshGeometry& geometry_;
   float scale_;
   Findings& findings_;
@@ -168,20 +147,17 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     geometry.addBounds(Matrix(), box);
     const float scale = scaleFor(box);
     Findings findings;
+    MeshItems all = meshItems(geometry, scale, pool);
+    bvh_.scale = scale;
+    for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = geometry.getOrigin()[axis];
+    bvh_.isInParts = divideIntoParts(geometry, scale, all);
     const MeshLeafWriter writer(geometry, scale, findings);
-    const auto build = [&](BuildItems items) {
-      bvh_ = {};
-      bvh_.scale = scale;
-      for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = geometry.getOrigin()[axis];
-      bvh_.isInParts = divideIntoParts(geometry, scale, items, pool);
-      buildWideBvh(bvh_, std::move(items), writer, pool);
-    };
-    build(meshItems(geometry, scale, true, pool));
+    buildWideBvh(bvh_, std::move(all.items), writer, pool);
     unscale_ = findings.isExact && !geometry.isFar() ? 1 / bvh_.scale : 0;
-    if (findings.piled.size() < kPilesThatPay) return;
-    BuildItems items = meshItems(geometry, scale, false, pool);
-    copies_ = dropCopies(geometry, findings.piled, items);
-    if (!copies_.empty()) build(std::move(items));
+    // Where a face is in parts, its copies have been found for each of them.
+    copies_ = std::move(findings.copies);
+    std::sort(copies_.begin(), copies_.end(),
+              [](const FaceCopies& a, const FaceCopies& b) { return a.face < b.face; });
   });
 }
 

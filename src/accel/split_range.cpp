@@ -1,7 +1,5 @@
-// One step of the builder: which split, and the items of its left side moved to the front.
-//
-// The split is that of the surface area heuristic. Where no centres differ, or the tree has got too
-// deep, the range is halved: by centres, by sizes, at last by numbers.
+// One step of the builder: the items of the left side are moved to the front. Where there is no
+// split they are halved: by centres, by sizes, at last by numbers.
 //
 // The partition is in place and depends on the items alone, never on the number of threads. Both
 // halves of a large range may be partitioned side by side; then the right items of the first half
@@ -9,8 +7,6 @@
 #include "accel/split_range.h"
 
 #include <algorithm>
-
-#include "accel/best_split.h"
 
 namespace accel {
 namespace {
@@ -87,9 +83,8 @@ int fittingLeaf(const BuildRange& range) {
   return primitives <= mostInLeaf(kind) ? primitives : 0;
 }
 
-void splitRange(const BuildRange& range, ThreadPool& pool, BuildRange& left, BuildRange& right) {
-  Split split;
-  if (range.splits < kMostSahSplits) split = bestSplit(range);
+void splitRange(const BuildRange& range, const Split& split, ThreadPool& pool, BuildRange& left,
+                BuildRange& right) {
   BuildRange sides[2];
   sides[0].count = range.count / 2;
   if (split.axis >= 0) {

@@ -1,7 +1,5 @@
 // Meshes of long thin slanting triangles: their parts hold all of them, the tree over the parts
 // answers as the plain mesh, and it tests fewer.
-#include "accel/face_parts.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -14,7 +12,6 @@
 namespace {
 
 using accel::BuildItem;
-using accel::BuildItems;
 using accel_test::Comparison;
 using accel_test::kInf;
 using accel_test::Owner;
@@ -68,9 +65,9 @@ Soup fan(int count) {
 std::vector<BuildItem> itemsOf(const MeshGeometry& mesh, int threads, bool inParts) {
   std::vector<BuildItem> found;
   accel::ThreadPool::run(threads, mesh.faceCount(), [&](accel::ThreadPool& pool) {
-    BuildItems items = accel::meshItems(mesh, 1, true, pool);
-    if (inParts) CHECK(accel::divideIntoParts(mesh, 1, items, pool));
-    found.assign(items.data(), items.data() + items.count());
+    accel::MeshItems all = accel::meshItems(mesh, 1, pool);
+    if (inParts) CHECK(accel::divideIntoParts(mesh, 1, all));
+    found.assign(all.items.data(), all.items.data() + all.items.count());
   });
   return found;
 }
@@ -170,8 +167,8 @@ TEST("ordinary meshes, few needles and nothing at all are not divided") {
   for (const MeshGeometry& mesh :
        {shapes::ball(5), needles(50, 1, 1).geometry(), MeshGeometry(), fan(1).geometry()}) {
     accel::ThreadPool alone;
-    BuildItems items = accel::meshItems(mesh, 1, true, alone);
-    CHECK(!accel::divideIntoParts(mesh, 1, items, alone));
+    accel::MeshItems all = accel::meshItems(mesh, 1, alone);
+    CHECK(!accel::divideIntoParts(mesh, 1, all));
   }
 }
 
@@ -193,7 +190,7 @@ TEST("needles through a ball far smaller than they are answer as the plain mesh"
 }
 
 TEST("needles that are there several times answer as the plain mesh") {
-  const MeshGeometry mesh = needles(700, 1, 6).geometry();
+  const MeshGeometry mesh = needles(700, 1, 12).geometry();
   CHECK(accel::MeshTree(mesh, 1).copiesOf(0) != nullptr);
   expectAsPlain(mesh, 1, {});
 }

@@ -127,7 +127,7 @@ TEST("the halves of a square are one item where one follows the other, copies of
   const auto itemsOf = [](const MeshGeometry& mesh) {
     std::size_t items = 0;
     accel::ThreadPool::run(1, mesh.faceCount(), [&](accel::ThreadPool& pool) {
-      items = accel::meshItems(mesh, 1, true, pool).count();
+      items = accel::meshItems(mesh, 1, pool).items.count();
     });
     return items;
   };
