@@ -113,8 +113,8 @@ struct BinaryTree::Block {
 
 BinaryTree::BinaryTree(BuildItem* items, std::size_t count, const LeafWriter& writer,
                        ThreadPool& pool)
-    : memory_(nodesFor(count) * sizeof(BinaryNode)),
-      used_(kBlock),
+    : used_(kBlock),
+      memory_(nodesFor(count) * sizeof(BinaryNode)),
       items_(items),
       writer_(writer),
       pool_(pool) {

@@ -47,8 +47,9 @@ class BinaryTree {
   struct Block;
   Subtree build(const BuildRange& range, BinaryNode& node, Block& block);
 
-  PageBuffer memory_;                ///< BinaryNodes
-  std::atomic<std::uint32_t> used_;  ///< of them; blocks are taken from here on
+  /// Nodes in use; blocks are taken from here on. In a cache line of its own.
+  alignas(64) std::atomic<std::uint32_t> used_;
+  alignas(64) PageBuffer memory_;  ///< BinaryNodes
   const BuildItem* const items_;
   const LeafWriter& writer_;
   ThreadPool& pool_;

@@ -4,7 +4,6 @@
 // what every processor of its kind has is used, so that all translation units see the same
 // functions.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -29,12 +28,6 @@ inline Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
 /// The first three lanes; the fourth becomes 0.
 inline Float4 firstThree(Float4 a) { return Float4(Int4(a) & Int4{-1, -1, -1, 0}); }
-/// `a` where `mask` is 0; a NaN in every lane where it is -1, which smaller and larger pass over.
-inline Float4 unlessMasked(Float4 a, std::int32_t mask) { return Float4(Int4(a) | mask); }
-
-/// Starts to bring the cache line of `address` near; any address will do.
-inline void prefetch(const void* address) { __builtin_prefetch(address); }
-
 /// A box in the first three lanes. The fourth holds anything: items are loaded whole.
 struct Box4 {
   Float4 low, high;
@@ -65,10 +58,12 @@ struct Box4 {
   Float4 center() const { return firstThree(low + high); }
   /// The sides; the fourth lane is 0.
   Float4 sides() const { return firstThree(high - low); }
-  float longestSide() const {
+  /// The axis of its longest side, and that side.
+  int longestAxis() const {
     const Float4 d = sides();
-    return std::max({d[0], d[1], d[2]});
+    return d[0] >= d[1] && d[0] >= d[2] ? 0 : d[1] >= d[2] ? 1 : 2;
   }
+  float longestSide() const { return sides()[longestAxis()]; }
   /// Half its surface, where it is not empty.
   float halfArea() const {
     const Float4 d = sides();

@@ -58,10 +58,11 @@ struct Collapse {
   std::uint32_t* const words = reinterpret_cast<std::uint32_t*>(nodes + bvh.nodeCount);
   /// Only leaves of a mesh hold exact numbers, which can be seen from nearby.
   const bool hasFrames = items.data()->kind == LeafKind::meshTriangles;
-  std::atomic<std::size_t> nodeCount{1};
-  std::atomic<std::size_t> wordCount{1};  ///< offset 0 means no leaf
+  /// Counters have cache lines of their own: all else is only read.
+  alignas(64) std::atomic<std::size_t> nodeCount{1};
+  alignas(64) std::atomic<std::size_t> wordCount{1};  ///< offset 0 means no leaf
   /// Of each large page of items, how many are in leaves.
-  std::vector<std::atomic<std::size_t>> doneItems =
+  alignas(64) std::vector<std::atomic<std::size_t>> doneItems =
       std::vector<std::atomic<std::size_t>>(items.count() / BuildItems::kPerLargePage + 1);
   std::mutex mutex = {};  ///< of bvh.levels and bvh.frameLevels
 };

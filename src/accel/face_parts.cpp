@@ -66,12 +66,9 @@ class ItemFaces {
   /// Appends `part`, whose box is in that of the item, in `count` parts. The depth of recursion is
   /// the logarithm of the count.
   void divide(const BuildItem& part, int count, std::vector<BuildItem>& parts) const {
-    int axis = 0;
-    for (int other = 1; other < 3; ++other) {
-      if (sideOf(part, other) > sideOf(part, axis)) axis = other;
-    }
-    const int half = count / 2;
-    const float plane = part.low[axis] + sideOf(part, axis) * (float(half) / float(count));
+    const Box4 box = Box4::of(part);
+    const int axis = box.longestAxis(), half = count / 2;
+    const float plane = part.low[axis] + box.longestSide() * (float(half) / float(count));
     if (half == 0 || !(part.low[axis] < plane && plane < part.high[axis])) {
       parts.push_back(part);
       return;
@@ -84,8 +81,6 @@ class ItemFaces {
   }
 
  private:
-  static float sideOf(const BuildItem& item, int axis) { return item.high[axis] - item.low[axis]; }
-
   /// Makes the box of one side of a plane as small as the faces' edges allow; false where nothing
   /// is left of it.
   bool shrink(BuildItem& side, int axis, float plane, bool isAbove) const {

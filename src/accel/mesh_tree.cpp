@@ -96,11 +96,11 @@ class MeshLeafWriter : public LeafWriter {
   void prepare(const BuildItem* items, int count, std::size_t left) const override {
     constexpr std::size_t kFacesAhead = 48, kVerticesAhead = 24;
     for (; count > 0 && left > kFacesAhead; --count, --left, ++items) {
-      prefetch(&geometry_.getFaces()[items[kFacesAhead].id]);
+      __builtin_prefetch(&geometry_.getFaces()[items[kFacesAhead].id]);
       const BuildItem& item = items[kVerticesAhead];
       for (std::uint32_t face = item.id; face != item.id + item.primitives; ++face) {
         for (const std::uint32_t vertex : geometry_.getFaces()[face]) {
-          prefetch(&geometry_.getVertices()[vertex]);
+          __builtin_prefetch(&geometry_.getVertices()[vertex]);
         }
       }
     }

@@ -47,21 +47,12 @@ std::size_t partition(BuildItem* items, std::size_t count, const Split& split, T
   return first + second;
 }
 
-/// The axis along which twice the centres spread most, or -1 where none differ.
-int widestAxis(const Box4& centers) {
-  const Float4 extent = centers.sides();
-  int widest = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (extent[axis] > extent[widest]) widest = axis;
-  }
-  return extent[widest] > 0 ? widest : -1;
-}
-
 /// Orders for halving by number: by centre or, where all are equal, by size, smaller boxes first.
 void halve(const BuildRange& range) {
-  const int axis = widestAxis(range.centers);
-  const auto key = [axis](const BuildItem& item) {
-    return axis >= 0 ? item.low[axis] + item.high[axis] : Box4::of(item).halfArea();
+  const int axis = range.centers.longestAxis();
+  const bool differ = range.centers.longestSide() > 0;
+  const auto key = [&](const BuildItem& item) {
+    return differ ? item.low[axis] + item.high[axis] : Box4::of(item).halfArea();
   };
   std::nth_element(range.first, range.first + range.count / 2, range.first + range.count,
                    [&](const BuildItem& a, const BuildItem& b) {

@@ -28,26 +28,21 @@ struct ThreadPool::Task {
   }
 };
 
-/// Sends the other threads home when the body has returned or thrown.
-struct ThreadPool::Ending {
-  ThreadPool& pool;
-  ~Ending() {
-    const std::lock_guard<std::mutex> lock(pool.mutex_);
-    pool.hasEnded_ = true;
-    pool.changed_.notify_all();
-  }
-};
-
 void ThreadPool::run(int threads, std::size_t items, const std::function<void(ThreadPool&)>& body) {
   constexpr std::size_t kStackBytes = 1 << 20;
   ThreadPool pool;
   if (threads == 1 || items < kLeastShared) return body(pool);
   pool.threads_ = threads;
+  const std::function<void()> work = [&] { body(pool); };
+  Task whole{work};
   runOnThreads(threads, kStackBytes, [&](int worker) {
     if (worker != 0) return pool.serve();
-    const Ending ending{pool};
-    body(pool);
+    whole.run();
+    const std::lock_guard<std::mutex> lock(pool.mutex_);
+    pool.hasEnded_ = true;
+    pool.changed_.notify_all();
   });
+  if (whole.failure) std::rethrow_exception(whole.failure);
 }
 
 void ThreadPool::both(const std::function<void()>& first, const std::function<void()>& second) {

@@ -30,7 +30,6 @@ class ThreadPool {
 
  private:
   struct Task;
-  struct Ending;
   void callTimes(std::size_t times, const std::function<void()>& work);
   void serve();
   void runTask(std::deque<Task*>::iterator place, std::unique_lock<std::mutex>& lock);
