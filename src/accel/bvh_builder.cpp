@@ -166,7 +166,6 @@ class WideNodeBuilder {
       batchBegin_ = leaf.first;
     }
     const BuildItem* items = shared_.items.data() + leaf.first;
-    shared_.writer.prepare(items, leaf.items(), shared_.items.count() - leaf.first);
     child = kLeafBit + std::uint32_t(size_);
     size_ += std::size_t(shared_.writer.write(items, leaf.items(), words_ + size_));
     batch_[leaves_++] = &child;

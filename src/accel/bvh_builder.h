@@ -58,8 +58,6 @@ class LeafWriter {
   /// Of `count` items that no split can tell apart, moves those to the front that the tree is to
   /// hold, and returns how many. What is alike in many items may be held by one of them.
   virtual std::size_t dropCopies(BuildItem* /*items*/, std::size_t count) const { return count; }
-  /// `count` items before those that are written next, of `left` in a row.
-  virtual void prepare(const BuildItem* /*items*/, int /*count*/, std::size_t /*left*/) const {}
 };
 
 /// The head of a leaf: `edge` rounded up a little; see LeafKind.

@@ -65,10 +65,13 @@ struct Findings {
 /// Writes leaves of corners, scaled.
 class MeshLeafWriter : public LeafWriter {
  public:
-  MeshLeafWriter(const MeshGeometry& geometry, float scale, Findings& findings)
-      : geometry_(geometry), scale_(scale), findings_(findings) {}
+  /// All items are in front of `end`.
+  MeshLeafWriter(const MeshGeometry& geometry, float scale, const BuildItem* end,
+                 Findings& findings)
+      : geometry_(geometry), scale_(scale), end_(end), findings_(findings) {}
 
   int write(const BuildItem* items, int count, std::uint32_t* words) const override {
+    prefetch(items, count);
     LocalVertices local;
     std::uint16_t places[8];
     std::uint32_t faces[8];
@@ -92,10 +95,12 @@ class MeshLeafWriter : public LeafWriter {
     return accel::dropCopies(geometry_, items, count, findings_.copies);
   }
 
-  /// The items come in no order of the mesh, so every face and vertex would be waited for.
-  void prepare(const BuildItem* items, int count, std::size_t left) const override {
-    constexpr std::size_t kFacesAhead = 48, kVerticesAhead = 24;
-    for (; count > 0 && left > kFacesAhead; --count, --left, ++items) {
+ private:
+  /// Looks ahead: the items come in no order of the mesh, so every face and vertex would be waited
+  /// for (build time 1.09).
+  void prefetch(const BuildItem* items, int count) const {
+    constexpr std::ptrdiff_t kFacesAhead = 48, kVerticesAhead = 24;
+    for (; count > 0 && end_ - items > kFacesAhead; --count, ++items) {
       __builtin_prefetch(&geometry_.getFaces()[items[kFacesAhead].id]);
       const BuildItem& item = items[kVerticesAhead];
       for (std::uint32_t face = item.id; face != item.id + item.primitives; ++face) {
@@ -105,8 +110,6 @@ class MeshLeafWriter : public LeafWriter {
       }
     }
   }
-
- private:
   /// Returns the largest component of an edge of the `count` faces.
   float writeVertices(const LocalVertices& local, const std::uint16_t* places, int count,
                       std::uint32_t* rows) const {
@@ -129,7 +132,8 @@ class MeshLeafWriter : public LeafWriter {
     return edge;
   }
   const MeshGeometry& geometry_;
-  float scale_;
+  const float scale_;
+  const BuildItem* const end_;
   Findings& findings_;
 };
 
@@ -151,7 +155,7 @@ MeshTree::MeshTree(const MeshGeometry& geometry, int threads) : geometry_(&geome
     bvh_.scale = scale;
     for (int axis = 0; axis < 3; ++axis) bvh_.anchor[axis] = geometry.getOrigin()[axis];
     bvh_.isInParts = divideIntoParts(geometry, scale, all);
-    const MeshLeafWriter writer(geometry, scale, findings);
+    const MeshLeafWriter writer(geometry, scale, all.items.data() + all.items.count(), findings);
     buildWideBvh(bvh_, std::move(all.items), writer, pool);
     unscale_ = findings.isExact && !geometry.isFar() ? 1 / bvh_.scale : 0;
     // Where a face is in parts, its copies have been found for each of them.
