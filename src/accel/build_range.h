@@ -28,6 +28,7 @@ inline Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
 /// The first three lanes; the fourth becomes 0.
 inline Float4 firstThree(Float4 a) { return Float4(Int4(a) & Int4{-1, -1, -1, 0}); }
+
 /// A box in the first three lanes. The fourth holds anything: items are loaded whole.
 struct Box4 {
   Float4 low, high;

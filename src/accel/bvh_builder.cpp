@@ -2,11 +2,10 @@
 //
 // BinaryTree splits the items until they fit into leaves, and finds for each node the cheapest way
 // to collapse what is below it into wide nodes. These plans are then followed from the root down,
-// and what is below the first levels is
-// divided among the threads. Who makes a wide node takes numbers for all its children at
-// once, so that they lie side by side. Leaves are written in batches, each of which gets its place
-// when its size is known. The memory of items is given back as soon as they are in leaves, so that
-// items, leaves and nodes are never in memory all at once.
+// and what is below the first levels is divided among the threads. Who makes a wide node takes
+// numbers for all its children at once, so that they lie side by side. Leaves are written in
+// batches, each of which gets its place when its size is known. The memory of items is given back
+// as soon as they are in leaves, so that items, leaves and nodes are never in memory all at once.
 #include "accel/bvh_builder.h"
 
 #include <algorithm>

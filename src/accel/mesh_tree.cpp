@@ -131,6 +131,7 @@ class MeshLeafWriter : public LeafWriter {
     }
     return edge;
   }
+
   const MeshGeometry& geometry_;
   const float scale_;
   const BuildItem* const end_;

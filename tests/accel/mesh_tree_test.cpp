@@ -141,6 +141,21 @@ TEST("the halves of a square are one item where one follows the other, copies of
               std::size_t(2));
 }
 
+TEST("of equal faces that are too many for a leaf, the tree holds the first") {
+  for (const std::uint32_t count : {8u, 9u, 1000u}) {
+    std::vector<MeshGeometry::Face> faces = {{3, 4, 5}};
+    for (std::uint32_t i = 0; i < count; ++i) faces.push_back({0, 1, 2});
+    const MeshGeometry mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}},
+                            faces);
+    const MeshTree tree(mesh, 1);
+    const accel::FaceCopies* copies = tree.copiesOf(1);
+    CHECK_EQUAL(copies != nullptr, count > 8);
+    CHECK(tree.copiesOf(0) == nullptr && tree.copiesOf(2) == nullptr);
+    if (copies) CHECK(copies->next == 2 && copies->count == count);
+    CHECK_EQUAL(Inspection(mesh, 1).notOnce(), copies ? count - 1 : std::size_t(0));
+  }
+}
+
 TEST("a triangle of an ordinary mesh takes at most 32 bytes") {
   // Seven triangles in a patch have about 9 vertices: head and places 20 bytes, vertices 108, face
   // numbers 28, so 22.3 a triangle; and a node of 256 bytes for about 30 triangles.
