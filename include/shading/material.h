@@ -36,7 +36,7 @@ class Material {
   int getPriority() const { return priority_; }
   void setPriority(int priority) { priority_ = priority; }
 
-  /// As SceneParser::getMaterial counts; -1 where no scene has read it. Set likewise.
+  /// As SceneParser::getMaterial counts; any below 0 where no scene has read it. Set likewise.
   int getNumber() const { return number_; }
   void setNumber(int number) { number_ = number; }
 

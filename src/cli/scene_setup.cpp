@@ -138,6 +138,7 @@ void SceneGeometry::buildCells(const Acceleration& wanted, const CellRules& rule
   const bool counts = rules.alwaysCounts || wanted.cellPicture == Acceleration::CellPicture::counts;
   for (const CellPaint& each : rules.paints) {
     paints_.emplace_back(each.color, Vec3f(), 1.0f, Vec3f(), Vec3f(), 1.0f);
+    paints_.back().setNumber(-int(paints_.size()));  // none of the scene's, and all different
   }
   std::vector<const Material*> palette;  // by the number of objects
   for (std::size_t i = 0; i < (counts ? paints_.size() : 1); ++i) {

@@ -155,12 +155,12 @@ class Rendering {
     auto* samples = tracer.arena().take<Sample>(area.pixelCount());
     int count = 0;
     visitInOrder(inPicture(area), [&](Pixel at) { samples[count++] = {at, {0.5, 0.5}}; });
-    const bool wantsColors = targets_.color && !isSampled_;
+    const bool wantsColors = targets_.color && !isSampled_, wantsSurfaces = hasSurfaces();
     const TracedSamples traced(view_, tracer, samples, count, wantsColors);
     for (int k = 0; k < count; ++k) {
       const Pixel at = inTargets(samples[k].at);
       if (wantsColors) set(targets_.color, targets_.exactColor, at, traced.colors[k]);
-      if (hasSurfaces()) setSurface(targets_, traced.hitOf(k), at);
+      if (wantsSurfaces) setSurface(targets_, traced.hitOf(k), at);
     }
   }
 
