@@ -105,6 +105,7 @@ class ObjectTree : public AskedTree {
   /// A member that is asked alone, those rays that meet its box.
   struct DirectMember {
     BoxNumbers box;
+    double size;  // the longest side
     std::uint32_t id;
   };
   void askAlone(const BoxedMember& each);
@@ -114,7 +115,7 @@ class ObjectTree : public AskedTree {
 
   std::vector<TreeMember> members_;
   std::vector<ShapeNumbers> shapes_;  // of members outside of the tree, in scene order
-  std::vector<DirectMember> direct_;  // the other members outside of it
+  std::vector<DirectMember> direct_;  // the other members outside of it, small ones first
   std::deque<ShapeNumbers> inTree_;   // of Transforms in leaves of objects
   WideBvh bvh_;
   BoundingBox box_;

@@ -20,7 +20,7 @@ const Object3D* squeezedBall(Owner& owner, Random& random, double squeeze) {
 
 /// Several of them, a tree's worth.
 void fill(Owner& owner, Random& random, double squeeze, Group& group) {
-  for (int i = 0; i < 8; ++i) group.addObject(squeezedBall(owner, random, squeeze));
+  for (int i = 0; i < 12; ++i) group.addObject(squeezedBall(owner, random, squeeze));
 }
 
 /// Asks about rays from 1e3 to 1e16 away, most of which miss by little.
