@@ -90,10 +90,11 @@ class Bins {
   void sweep(int bin, int step, float unit, int blockBits, Float4* cost) const {
     Box4 boxes[3] = {Box4::empty(), Box4::empty(), Box4::empty()};
     Int4 primitives = {};
+    const int up = (1 << blockBits) - 1;
     for (int k = 0; k < count_; ++k, bin += step) {
       for (int axis = 0; axis < 3; ++axis) boxes[axis].extend(boxes_[bin][axis]);
       primitives += primitives_[bin];
-      const Int4 blocks = (primitives + ((1 << blockBits) - 1)) >> blockBits;
+      const Int4 blocks = (primitives + Int4{up, up, up, up}) >> blockBits;
       cost[bin] = areas(boxes, unit) * __builtin_convertvector(blocks, Float4);
     }
   }

@@ -19,14 +19,17 @@
 namespace accel {
 namespace {
 
-/// Halves of more items each may be built side by side.
-constexpr std::size_t kLeastForked = 4096;
+/// Halves of more items each may be built side by side. There are at most 128 such forks, so that
+/// tasks which wait for one another on a thread do not fill its stack.
+std::size_t leastForked(std::size_t count) { return std::max<std::size_t>(4096, count / 128); }
 
 /// Nodes that a thread takes at a time.
 constexpr std::uint32_t kBlock = 64;
 
 /// Every item has room for two nodes, and the last block of each thread may be unfinished.
-std::size_t nodesFor(std::size_t count) { return 2 * count + kBlock * (count / kLeastForked + 2); }
+std::size_t nodesFor(std::size_t count) {
+  return 2 * count + kBlock * (count / leastForked(count) + 2);
+}
 
 /// What a node costs beyond its surface, for its memory: so small that the expected visits stay
 /// the same within 0.1 %, it saves 4 % of the nodes. Where surfaces vanish, the fewest nodes win.
@@ -36,8 +39,9 @@ float memoryPrice(const Box4& whole, std::size_t count) {
 
 /// The range of all items, measured by all threads.
 BuildRange rangeOf(BuildItem* items, std::size_t count, ThreadPool& pool) {
+  constexpr std::size_t kMostAtOnce = 32768;
   BuildRange range{items, count};
-  if (count <= 8 * kLeastForked) {
+  if (count <= kMostAtOnce) {
     range.measureItems();
     return range;
   }
@@ -115,6 +119,7 @@ BinaryTree::BinaryTree(BuildItem* items, std::size_t count, const LeafWriter& wr
                        ThreadPool& pool)
     : used_(kBlock),
       memory_(nodesFor(count) * sizeof(BinaryNode)),
+      leastForked_(leastForked(count)),
       items_(items),
       writer_(writer),
       pool_(pool) {
@@ -147,7 +152,7 @@ BinaryTree::Subtree BinaryTree::build(const BuildRange& range, BinaryNode& node,
   node.first = block.takePair(used_);
   BinaryNode* pair = static_cast<BinaryNode*>(memory_.data()) + node.first;
   Subtree first, second;
-  if (std::min(left.count, right.count) > kLeastForked) {
+  if (std::min(left.count, right.count) > leastForked_) {
     const auto buildSecond = [&] {
       Block other;
       second = build(right, pair[1], other);

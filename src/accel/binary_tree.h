@@ -50,6 +50,7 @@ class BinaryTree {
   /// Nodes in use; blocks are taken from here on. In a cache line of its own.
   alignas(64) std::atomic<std::uint32_t> used_;
   alignas(64) PageBuffer memory_;  ///< BinaryNodes
+  const std::size_t leastForked_;
   const BuildItem* const items_;
   const LeafWriter& writer_;
   ThreadPool& pool_;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <utility>
 
 #include "system/worker_threads.h"
 
@@ -58,11 +57,11 @@ void ThreadPool::both(const std::function<void()>& first, const std::function<vo
   mine.run();
   lock.lock();
   while (!other.isDone) {
-    const auto place = std::find(waiting_.begin(), waiting_.end(), &other);
+    const bool isWaiting = std::count(waiting_.begin(), waiting_.end(), &other) != 0;
     if (waiting_.empty()) {
       changed_.wait(lock);
     } else {
-      runTask(place != waiting_.end() ? place : waiting_.begin(), lock);
+      runTask(isWaiting ? other : *waiting_.front(), lock);
     }
   }
   for (const std::exception_ptr& failure : {mine.failure, other.failure}) {
@@ -88,14 +87,13 @@ void ThreadPool::serve() {
   for (;;) {
     changed_.wait(lock, [&] { return hasEnded_ || !waiting_.empty(); });
     if (hasEnded_) return;
-    runTask(waiting_.begin(), lock);
+    runTask(*waiting_.front(), lock);
   }
 }
 
 /// Does a waiting task; the lock is held before and afterwards.
-void ThreadPool::runTask(std::deque<Task*>::iterator place, std::unique_lock<std::mutex>& lock) {
-  Task& task = **place;
-  waiting_.erase(place);
+void ThreadPool::runTask(Task& task, std::unique_lock<std::mutex>& lock) {
+  waiting_.erase(std::find(waiting_.begin(), waiting_.end(), &task));
   lock.unlock();
   task.run();
   lock.lock();

@@ -32,7 +32,7 @@ class ThreadPool {
   struct Task;
   void callTimes(std::size_t times, const std::function<void()>& work);
   void serve();
-  void runTask(std::deque<Task*>::iterator place, std::unique_lock<std::mutex>& lock);
+  void runTask(Task& task, std::unique_lock<std::mutex>& lock);
 
   int threads_ = 1;
   std::mutex mutex_;
