@@ -112,7 +112,7 @@ struct LikenessHash {
 }  // namespace
 
 MeshItems meshItems(const MeshGeometry& geometry, float scale, ThreadPool& pool) {
-  constexpr std::size_t kChunk = 4096;
+  constexpr std::size_t kChunk = 2048;
   const std::size_t faces = geometry.faceCount();
   MeshItems all{BuildItems(faces), 0};
   std::mutex mutex;
