@@ -149,32 +149,31 @@ PictureView::PictureView(const Camera& ofCamera, const PixelPlaces& places, int 
   unit_ = {unitOf(width), unitOf(height)};
 }
 
+/// Points of the image plane first, as the kernel wants them; a camera that it does not know makes
+/// its rays one by one.
 TracedSamples::TracedSamples(const PictureView& view, WaveTracer& tracer, const Sample* samples,
                              int count, bool wantsColors)
-    : rays(tracer.arena(), count, false), hits(tracer.arena(), count) {
-  rays.count = count;
-  setEyeRays(view, tracer, samples);
-  colors = tracer.arena().take<Vec3f>(std::size_t(count));
-  wantsColors ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
-}
-
-void TracedSamples::setEyeRays(const PictureView& view, WaveTracer& tracer, const Sample* samples) {
+    : rays(tracer.arena(), count, false),
+      hits(tracer.arena(), count),
+      colors(tracer.arena().take<Vec3f>(std::size_t(count))) {
   const Arena::Frame frame(tracer.arena());
-  auto* x = tracer.arena().take<double>(std::size_t(rays.count));
-  auto* y = tracer.arena().take<double>(std::size_t(rays.count));
-  for (int k = 0; k < rays.count; ++k) {
+  auto* x = tracer.arena().take<double>(std::size_t(count));
+  auto* y = tracer.arena().take<double>(std::size_t(count));
+  EyeFrame eye;
+  const bool isWide = toNumbers(view.camera, eye);
+  const double tmin = view.camera.getTMin();
+  rays.count = count;
+  for (int k = 0; k < count; ++k) {
     const Vec2d point = view.pointOf(samples[k]);
     x[k] = point.x();
     y[k] = point.y();
-    rays.tmin[k] = view.camera.getTMin();
+    rays.tmin[k] = tmin;
     rays.tmax[k] = Hit().getT();
     rays.weight[k] = 1;
+    if (!isWide) rays.setRow(k, view.camera.generateRay(point), tmin, rays.tmax[k]);
   }
-  EyeFrame eye;
-  if (toNumbers(view.camera, eye)) return tracer.kernels().eyeRays(eye, x, y, rays.count, rays);
-  for (int k = 0; k < rays.count; ++k) {
-    rays.setRow(k, view.camera.generateRay({x[k], y[k]}), rays.tmin[k], rays.tmax[k]);
-  }
+  if (isWide) tracer.kernels().eyeRays(eye, x, y, count, rays);
+  wantsColors ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
 }
 
 Vec3f traceAlone(const PictureView& view, const RayTracer& tracer, const Sample& sample) {

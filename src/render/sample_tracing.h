@@ -42,9 +42,6 @@ struct TracedSamples {
   TracedSamples(const PictureView& view, WaveTracer& tracer, const Sample* samples, int count,
                 bool wantsColors);
   Hit hitOf(int row) const { return hits.hitOf(row, rays.tmax[row]); }
-
- private:
-  void setEyeRays(const PictureView& view, WaveTracer& tracer, const Sample* samples);
 };
 
 /// The colour of one sample, its rays traced one after the other: for those who watch the tracer.

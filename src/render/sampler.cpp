@@ -63,19 +63,12 @@ Vec2d Sampler::getSamplePosition(int i, int j, int n) const {
   if (isDrawn && options_.numbers == SamplingOptions::Numbers::sequence) {
     return sequencePosition(i, j, n);
   }
-  switch (pattern) {
-    case Pattern::center:
-    case Pattern::uniform: {
-      const Vec2d middle = pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
-      return options_.isGridExact ? Vec2d{toGrid(middle.x()), toGrid(middle.y())} : middle;
-    }
-    case Pattern::random:
-      return randomPoint(seedOf(i, j), std::uint64_t(n));
-    case Pattern::jittered:
-    case Pattern::adaptive:
-      break;
+  if (pattern == Pattern::random) return randomPoint(seedOf(i, j), std::uint64_t(n));
+  if (pattern == Pattern::jittered || pattern == Pattern::adaptive) {
+    return jitteredPosition(seedOf(i, j), n);
   }
-  return jitteredPosition(seedOf(i, j), n);
+  const Vec2d middle = pointInCell(n % side_, n / side_, side_, {0.5, 0.5});
+  return options_.isGridExact ? Vec2d{toGrid(middle.x()), toGrid(middle.y())} : middle;
 }
 
 /// A random sample's first draw is its y, that of a cell its x.
