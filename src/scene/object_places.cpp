@@ -38,7 +38,7 @@ std::string ObjectPlaces::pathOf(const Object3D* object) const {
   std::string path = nameOf(*place);
   while (place->parent != kNone) {
     place = &places_[place->parent];
-    path = nameOf(*place) + " > " + path;
+    path.insert(0, nameOf(*place) + " > ");
   }
   return path;
 }

@@ -77,12 +77,12 @@ std::unique_ptr<Object3D> ObjectReader::makeShape(std::string_view owner, const 
 }
 
 void ObjectReader::warnOfMesh(const MeshGeometry& mesh, const char* at) {
-  const std::string name = "the mesh " + in_.quotedAt(at);
-  for (const std::string& warning : meshes_.warnings()) notes_.warn(at, name + " " + warning);
+  const std::string name = "the mesh " + in_.quotedAt(at) + " ";
+  for (const std::string& warning : meshes_.warnings()) notes_.warn(at, name + warning);
   if (mesh.faceCount() == 0) {
-    notes_.warn(at, name + " has no faces: it will not be seen");
+    notes_.warn(at, name + "has no faces: it will not be seen");
   } else if (const std::uint32_t count = mesh.countFlatFaces()) {
-    notes_.warn(at, name + " has " + counted(count, "triangle") +
+    notes_.warn(at, name + "has " + counted(count, "triangle") +
                         " without area: " + (count == 1 ? "it" : "they") + " will not be seen");
   }
 }

@@ -39,7 +39,7 @@ bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 /// By byte: white space and braces. (A table takes half the instructions of comparisons.)
 constexpr auto kEndsWord = [] {
   std::array<bool, 256> ends{};
-  for (const char c : std::string_view(" \t\n\v\f\r{}")) ends[std::size_t(c)] = true;
+  for (const char c : std::string_view(" \t\n\v\f\r{}")) ends[static_cast<unsigned char>(c)] = true;
   return ends;
 }();
 /// Of a word that would begin at `p`.
