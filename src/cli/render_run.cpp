@@ -73,7 +73,7 @@ class RenderRun {
 
  private:
   void openCheckpoint(RenderTargets& targets);
-  void traceRays(RenderTargets targets, RunDisplay& display);
+  void traceRays(const RenderTargets& targets, RunDisplay& display);
   void inspect(const RayTracer& tracer);
 
   RenderRequest request_;
@@ -142,7 +142,7 @@ void RenderRun::openCheckpoint(RenderTargets& targets) {
   targets.store = checkpoint_.get();
 }
 
-void RenderRun::traceRays(RenderTargets targets, RunDisplay& display) {
+void RenderRun::traceRays(const RenderTargets& targets, RunDisplay& display) {
   const PictureRequest& picture = request_.picture;
   const bool counts = request_.results.stats;
   watch_.restart();

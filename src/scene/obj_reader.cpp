@@ -118,11 +118,11 @@ void cutPolygons(const std::vector<Vec3f>& vertices, std::vector<ObjChunk>& chun
   const auto stepsOf = [](const ObjPolygon& polygon) {
     return double(polygon.triangles) * polygon.triangles;
   };
-  std::vector<double> stepsBefore = {0};  // each chunk, so that no answer depends on the threads
+  std::vector<double> stepsBefore;  // each chunk, so that no answer depends on the threads
+  double allSteps = 0;
   for (const ObjChunk& chunk : chunks) {
-    double steps = stepsBefore.back();
-    for (const ObjPolygon& polygon : chunk.polygons) steps += stepsOf(polygon);
-    stepsBefore.push_back(steps);
+    stepsBefore.push_back(allSteps);
+    for (const ObjPolygon& polygon : chunk.polygons) allSteps += stepsOf(polygon);
   }
   shareOnThreads(threads, 0, chunks.size(), [&](std::size_t number) {
     double steps = stepsBefore[number];
