@@ -5,9 +5,9 @@
 // for each border between bins, area times leaf blocks of all that is on that side, one axis a
 // lane; the least sum of both on any axis is the split.
 // Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007.
-#include "accel/best_split.h"
-
 #include <algorithm>
+
+#include "accel/split_range.h"
 
 namespace accel {
 namespace {

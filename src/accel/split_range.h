@@ -1,10 +1,24 @@
-// splitRange: one step of the builder, a range in two.
+// The steps of the builder's way down: which split, the range in two, and where it ends.
 #pragma once
-#include "accel/best_split.h"
 #include "accel/build_range.h"
 #include "accel/thread_pool.h"
 
 namespace accel {
+
+/// Items with int((twice the centre on `axis` - base) * scale) <= bin go left.
+struct Split {
+  int axis = -1;  ///< -1: no centres differ
+  int bin = 0;
+  float base = 0, scale = 0;
+
+  bool isLeft(const BuildItem& item) const {
+    return int((item.low[axis] + item.high[axis] - base) * scale) <= bin;
+  }
+};
+
+/// The split of a range that costs least, the sum of area times number of leaf blocks on both
+/// sides, among those between bins on all three axes (best_split.cpp). Both sides have items.
+Split bestSplit(const BuildRange& range);
 
 /// Splits a range of at least two items: as `split` says or, where its axis is -1, into halves of
 /// as many items. Large ranges are split by all threads of `pool`; the outcome does not depend on
