@@ -38,7 +38,7 @@ Tiling tilingOf(Vec2<int> size, const Sampler& sampler, int reach, int threads) 
   constexpr std::size_t kMostBytes = 32 << 20;
   const int margin = reach + int(sampler.isAdaptive());
   const auto isTooLarge = [&](const Tiling& tiling) {
-    const auto side = std::size_t(tiling.side + 2 * margin);
+    const std::size_t side = std::size_t(tiling.side) + 2 * std::size_t(margin);
     const std::size_t samples = side * side * std::size_t(sampler.getNumFirst());
     const bool tooMany = sampler.isAdaptive() && samples * kBytesPerSample > kMostBytes;
     return tooMany || tiling.count() / kTilesPerThread < threads;

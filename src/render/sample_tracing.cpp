@@ -61,6 +61,7 @@ class AdaptiveSampling {
     // 2. Which pixels need more, before any range grows.
     const std::vector<Pixel> pixels = pixelsInOrder(area_);
     std::vector<bool> needsMore;
+    needsMore.reserve(pixels.size());
     for (const Pixel at : pixels) needsMore.push_back(differs(rangeAround(at)));
     // 3. Group by group: more samples, and all of them are handed over.
     const auto groupSize =
