@@ -2,11 +2,10 @@
 // they stand, with a tree of boxes over them.
 //
 // What has no box (planes, objects of unknown classes) and what is too few for a tree is asked one
-// after the other, each for all rays that may meet its box; planes and spheres among it all
-// together.
-// Then the rays walk the tree. A member that the kernels do not know is asked when the walk comes
-// to its box, for the rays that meet it. A hit lowers the ray's bound, so that farther boxes are
-// passed over.
+// after the other, small ones first, each for all rays that may meet its box; planes and spheres
+// among it all together. Then the rays walk the tree. A member that the kernels do not know is
+// asked when the walk comes to its box, for the rays that meet it. A hit lowers the ray's bound, so
+// that farther boxes are passed over.
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -102,7 +101,7 @@ class ObjectTree : public AskedTree {
 
  private:
   const TreeMember& memberAt(const std::uint32_t* words, int lane) const;
-  /// A member that is asked alone, those rays that meet its box.
+  /// A member that is asked alone, for those rays that may meet its box.
   struct DirectMember {
     BoxNumbers box;
     double size;  // the longest side
