@@ -37,117 +37,48 @@ typedef std::int64_t Signed __attribute__((vector_size(kDoubles * 8)));
 typedef std::uint64_t Wholes __attribute__((vector_size(kDoubles * 8)));
 typedef float Floats __attribute__((vector_size(kDoubles * 4)));
 
-// What a comparison gives, and how two vectors are mixed by it.
-#if defined(RAYTRACER_LANES_AVX512)
-
-typedef __mmask8 Truths;
-// The forms without a mask begin from an undefined vector, of which g++ 12 warns.
-constexpr Truths kAll = 0xff;
-inline Truths isLess(const Vector& a, const Vector& b) {
-  return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
-}
-inline Truths isLessOrEqual(const Vector& a, const Vector& b) {
-  return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ);
-}
-inline Truths isEqual(const Vector& a, const Vector& b) {
-  return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ);
-}
-inline Vector mixed(Truths where, const Vector& a, const Vector& b) {
-  return _mm512_mask_blend_pd(where, b, a);
-}
-inline unsigned bitsOfTruths(Truths where) { return where; }
-inline Truths truthsOfBits(unsigned bits) { return Truths(bits); }
-
-#else
-
-typedef Signed Truths;  // all bits of a lane, or none
-inline Truths isLess(const Vector& a, const Vector& b) { return a < b; }
-inline Truths isLessOrEqual(const Vector& a, const Vector& b) { return a <= b; }
-inline Truths isEqual(const Vector& a, const Vector& b) { return a == b; }
-inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) {
-#if defined(RAYTRACER_LANES_AVX2)
-  return _mm256_blendv_pd(b, a, __m256d(where));
-#else
-  return Vector((where & Signed(a)) | (~where & Signed(b)));
-#endif
-}
-inline unsigned bitsOfTruths(const Truths& where) {
-#if defined(RAYTRACER_LANES_AVX2)
-  return unsigned(_mm256_movemask_pd(__m256d(where)));
-#elif defined(__SSE2__)
-  return unsigned(_mm_movemask_pd(__m128d(where)));
-#else
-  return unsigned(where[0] & 1) | unsigned(where[1] & 2);
-#endif
-}
-inline Truths truthsOfBits(unsigned bits) {
-#if defined(RAYTRACER_LANES_AVX2)
-  const Signed places = {1, 2, 4, 8};
-#else
-  const Signed places = {1, 2};
-#endif
-  return (places & std::int64_t(bits)) != 0;
-}
-
-#endif
-
-inline Vector rootOf(const Vector& a) {
-#if defined(RAYTRACER_LANES_AVX512)
-  return _mm512_maskz_sqrt_pd(kAll, a);
-#elif defined(RAYTRACER_LANES_AVX2)
-  return _mm256_sqrt_pd(a);
-#elif defined(__SSE2__)
-  return _mm_sqrt_pd(a);
-#else
-  return Vector{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])};
-#endif
-}
-
-/// b where b < a, else a; and b where a < b, else a.
-inline Vector leastOf(const Vector& a, const Vector& b) {
-#if defined(RAYTRACER_LANES_AVX512)
-  return _mm512_maskz_min_pd(kAll, b, a);
-#elif defined(RAYTRACER_LANES_AVX2)
-  return _mm256_min_pd(b, a);
-#elif defined(__SSE2__)
-  return _mm_min_pd(b, a);
-#else
-  return mixed(isLess(b, a), b, a);
-#endif
-}
-inline Vector mostOf(const Vector& a, const Vector& b) {
-#if defined(RAYTRACER_LANES_AVX512)
-  return _mm512_maskz_max_pd(kAll, b, a);
-#elif defined(RAYTRACER_LANES_AVX2)
-  return _mm256_max_pd(b, a);
-#elif defined(__SSE2__)
-  return _mm_max_pd(b, a);
-#else
-  return mixed(isLess(a, b), b, a);
-#endif
-}
+/// What a comparison gives: all bits of a lane where it holds, else none.
+using Truths = Signed;
 
 inline Vector withoutSign(const Vector& a) { return Vector(Signed(a) & INT64_MAX); }
 
-inline Vector floorOf(const Vector& a) {
+// For each instruction set:
+//   mixed(where, a, b)   a where `where` holds, else b
+//   leastOf, mostOf      b where b < a, or a < b; else a
+//   rootOf, floorOf      the square root; the largest whole number that is not above it
+//   bitsOfTruths         a bit for each lane that holds, lane 0 lowest; truthsOfBits: the way back
+//   packed(a, bits)      the lanes whose bits are set, side by side; behind them stands anything
 #if defined(RAYTRACER_LANES_AVX512)
+
+// The forms without a mask begin from an undefined vector, of which g++ 12 warns.
+constexpr __mmask8 kAll = 0xff;
+inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) { return where ? a : b; }
+inline Vector leastOf(const Vector& a, const Vector& b) { return _mm512_maskz_min_pd(kAll, b, a); }
+inline Vector mostOf(const Vector& a, const Vector& b) { return _mm512_maskz_max_pd(kAll, b, a); }
+inline Vector rootOf(const Vector& a) { return _mm512_maskz_sqrt_pd(kAll, a); }
+inline Vector floorOf(const Vector& a) {
   return _mm512_maskz_roundscale_pd(kAll, a, _MM_FROUND_TO_NEG_INF);
-#elif defined(RAYTRACER_LANES_AVX2)
-  return _mm256_floor_pd(a);
-#else
-  // From 2^52 on all doubles are whole; below, adding 2^52 rounds to the nearest whole number.
-  const Vector size = withoutSign(a), nearestSize = (size + 0x1p52) - 0x1p52;
-  const Vector nearest = Vector(Signed(nearestSize) | (Signed(a) & INT64_MIN));
-  const Vector down = mixed(isLess(a, nearest), nearest - 1, nearest);
-  return mixed(isLess(size, Vector{} + 0x1p52), down, a);
-#endif
+}
+inline unsigned bitsOfTruths(const Truths& where) { return _mm512_movepi64_mask(__m512i(where)); }
+inline Truths truthsOfBits(unsigned bits) { return Truths(_mm512_movm_epi64(__mmask8(bits))); }
+inline Vector packed(const Vector& a, unsigned bits) {
+  return _mm512_maskz_compress_pd(__mmask8(bits), a);
 }
 
-/// The lanes whose bits are set, packed together; what stands behind them is anything.
-inline Vector packed(const Vector& a, unsigned bits) {
-#if defined(RAYTRACER_LANES_AVX512)
-  return _mm512_maskz_compress_pd(__mmask8(bits), a);
 #elif defined(RAYTRACER_LANES_AVX2)
+
+inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) {
+  return _mm256_blendv_pd(b, a, __m256d(where));
+}
+inline Vector leastOf(const Vector& a, const Vector& b) { return _mm256_min_pd(b, a); }
+inline Vector mostOf(const Vector& a, const Vector& b) { return _mm256_max_pd(b, a); }
+inline Vector rootOf(const Vector& a) { return _mm256_sqrt_pd(a); }
+inline Vector floorOf(const Vector& a) { return _mm256_floor_pd(a); }
+inline unsigned bitsOfTruths(const Truths& where) {
+  return unsigned(_mm256_movemask_pd(__m256d(where)));
+}
+inline Truths truthsOfBits(unsigned bits) { return (Truths{1, 2, 4, 8} & std::int64_t(bits)) != 0; }
+inline Vector packed(const Vector& a, unsigned bits) {
   // For each set of bits the halves of doubles that are taken, a digit each, the first one lowest.
   static constexpr std::uint32_t kHalves[16] = {0x00000000, 0x00000010, 0x00000032, 0x00003210,
                                                 0x00000054, 0x00005410, 0x00005432, 0x00543210,
@@ -156,10 +87,40 @@ inline Vector packed(const Vector& a, unsigned bits) {
   const __m256i digits = _mm256_srlv_epi32(_mm256_set1_epi32(int(kHalves[bits])),
                                            _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28));
   return Vector(_mm256_permutevar8x32_ps(__m256(a), digits));
-#else
-  return Vector{bits == 2 ? a[1] : a[0], a[1]};
-#endif
 }
+
+#else
+
+inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) {
+  return Vector((where & Signed(a)) | (~where & Signed(b)));
+}
+#if defined(__SSE2__)
+inline Vector leastOf(const Vector& a, const Vector& b) { return _mm_min_pd(b, a); }
+inline Vector mostOf(const Vector& a, const Vector& b) { return _mm_max_pd(b, a); }
+inline Vector rootOf(const Vector& a) { return _mm_sqrt_pd(a); }
+inline unsigned bitsOfTruths(const Truths& where) {
+  return unsigned(_mm_movemask_pd(__m128d(where)));
+}
+#else
+inline Vector leastOf(const Vector& a, const Vector& b) { return mixed(b < a, b, a); }
+inline Vector mostOf(const Vector& a, const Vector& b) { return mixed(a < b, b, a); }
+inline Vector rootOf(const Vector& a) { return Vector{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])}; }
+inline unsigned bitsOfTruths(const Truths& where) {
+  return unsigned(where[0] & 1) | unsigned(where[1] & 2);
+}
+#endif
+inline Vector floorOf(const Vector& a) {
+  // From 2^52 on all doubles are whole; below, adding 2^52 rounds to the nearest whole number.
+  const Vector size = withoutSign(a), nearestSize = (size + 0x1p52) - 0x1p52;
+  const Vector nearest = Vector(Signed(nearestSize) | (Signed(a) & INT64_MIN));
+  return mixed(size < 0x1p52, mixed(a < nearest, nearest - 1, nearest), a);
+}
+inline Truths truthsOfBits(unsigned bits) { return (Truths{1, 2} & std::int64_t(bits)) != 0; }
+inline Vector packed(const Vector& a, unsigned bits) {
+  return Vector{bits == 2 ? a[1] : a[0], a[1]};
+}
+
+#endif
 
 /// Lane by lane true or false.
 class Mask {
@@ -225,20 +186,16 @@ inline Doubles operator-(const Doubles& a, const Doubles& b) { return a.vector()
 inline Doubles operator*(const Doubles& a, const Doubles& b) { return a.vector() * b.vector(); }
 inline Doubles operator/(const Doubles& a, const Doubles& b) { return a.vector() / b.vector(); }
 inline Doubles operator-(const Doubles& a) { return -a.vector(); }
-inline Mask operator<(const Doubles& a, const Doubles& b) {
-  return Mask(isLess(a.vector(), b.vector()));
-}
-inline Mask operator>(const Doubles& a, const Doubles& b) {
-  return Mask(isLess(b.vector(), a.vector()));
-}
+inline Mask operator<(const Doubles& a, const Doubles& b) { return Mask(a.vector() < b.vector()); }
+inline Mask operator>(const Doubles& a, const Doubles& b) { return Mask(a.vector() > b.vector()); }
 inline Mask operator<=(const Doubles& a, const Doubles& b) {
-  return Mask(isLessOrEqual(a.vector(), b.vector()));
+  return Mask(a.vector() <= b.vector());
 }
 inline Mask operator>=(const Doubles& a, const Doubles& b) {
-  return Mask(isLessOrEqual(b.vector(), a.vector()));
+  return Mask(a.vector() >= b.vector());
 }
 inline Mask operator==(const Doubles& a, const Doubles& b) {
-  return Mask(isEqual(a.vector(), b.vector()));
+  return Mask(a.vector() == b.vector());
 }
 inline Mask operator!=(const Doubles& a, const Doubles& b) { return !(a == b); }
 

@@ -73,6 +73,9 @@ constexpr Scalar<T> larger(T a, T b) {
   return a < b ? b : a;
 }
 
+/// The number from 0 to 1 that is nearest to `a`; 0 where that is a NaN.
+constexpr double withinUnit(double a) { return smaller(1.0, larger(0.0, a)); }
+
 /// Without its sign; of a NaN and of -0 too.
 template <class T>
 Scalar<T> absolute(T a) {

@@ -7,9 +7,12 @@
 // space in which the pattern is described, so the objects look as if carved out of it.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include "math/functions.h"
 #include "math/matrix.h"
+#include "math/perlin_noise.h"
 #include "shading/material.h"
 
 /// A plain material (none that is a texture) and its share in a point, above 0 and at most 1.
@@ -27,10 +30,15 @@ class SolidTexture : public Material {
     std::size_t place;
   };
 
-  /// `toTexture` may be singular. As a Material the texture has, channel by channel, the largest of
-  /// its components' colours, so that neither is transparent or reflective where the texture says
-  /// that it is not, and the index and priority of the first.
-  SolidTexture(const Matrix& toTexture, const Component& first, const Component& second);
+  /// The weight of the second component at a point of the texture's space. Below 0 counts as 0,
+  /// above 1 as 1, NaN as 0.
+  using Pattern = std::function<double(const Vec3d& p)>;
+
+  /// `kind` is what getKind gives. `toTexture` may be singular. As a Material the texture has,
+  /// channel by channel, the largest of its components' colours, so that neither is transparent or
+  /// reflective where the texture says that it is not, and the index and priority of the first.
+  SolidTexture(const char* kind, const Matrix& toTexture, const Component& first,
+               const Component& second, Pattern weightOfSecond);
 
   /// What a texture comes down to at a point: plain materials. Who asks for many points keeps one,
   /// and so its memory.
@@ -44,29 +52,20 @@ class SolidTexture : public Material {
    private:
     friend class SolidTexture;
 
-    /// A share of a component that is still to be looked at.
+    /// A component that is still to be looked at, and its share.
     struct Waiting {
       Component component;
       double weight;
-      std::size_t arrival;  // of two shares of one component, the first comes first
-
-      bool operator<(const Waiting& other) const {
-        return component.place != other.component.place ? component.place < other.component.place
-                                                        : arrival > other.arrival;
-      }
     };
     void add(const Component& component, double weight);
-    WeightedMaterial takeLatest();
 
     std::vector<WeightedMaterial> plain_;
-    std::vector<Waiting> waiting_;  // a heap, the latest place on top
-    std::size_t arrivals_ = 0;
+    std::vector<Waiting> waiting_;  // each component once, by rising place
   };
 
   /// Sets `mixture` to the plain materials at a point of the world, each once, latest place first;
-  /// their weights add up to 1 but for rounding. Never empty. Takes time in proportion to the
-  /// textures below this one (a texture that is reached in many ways is looked at once), and no
-  /// stack.
+  /// their weights add up to 1 but for rounding. Never empty. Looks at each texture below this one
+  /// once, in how many ways it may be reached, and takes no stack.
   void mixAt(const Vec3d& point, Mixture& mixture) const;
   Mixture materialsAt(const Vec3d& point) const {
     Mixture mixture;
@@ -78,16 +77,15 @@ class SolidTexture : public Material {
   Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
               const Vec3f& lightColor) const override;
   const SolidTexture* asTexture() const override { return this; }
+  const char* getKind() const override { return kind_; }
 
  private:
-  /// The weight of the second component at a point of the texture's space. Below 0 counts as 0,
-  /// above 1 as 1, NaN as 0.
-  virtual double weightOfSecond(const Vec3d& p) const = 0;
-
   double clampedWeight(const Vec3d& point) const;
 
+  const char* kind_;
   Matrix toTexture_;
   Component first_, second_;
+  Pattern weightOfSecond_;
 };
 
 /// Space in cubes of the two materials by turns.
@@ -97,13 +95,11 @@ class Checkerboard : public SolidTexture {
   /// floor(y / size) + floor(z / size) is even, (x, y, z) in the texture's space.
   Checkerboard(const Matrix& toTexture, const Component& first, const Component& second,
                double size = 1)
-      : SolidTexture(toTexture, first, second), size_(size) {}
-  const char* getKind() const override { return "Checkerboard"; }
-
- private:
-  double weightOfSecond(const Vec3d& p) const override;
-
-  double size_;
+      : SolidTexture("Checkerboard", toTexture, first, second, [=](const Vec3d& p) {
+          int parity = 0;  // a sum is odd where an odd number of its terms is
+          for (int axis = 0; axis < 3; ++axis) parity ^= math::floorBits(p[axis] / size, 1);
+          return parity;
+        }) {}
 };
 
 /// Soft clouds: the second material has the weight 1/2 + slope N, N being math::fractalNoise.
@@ -112,57 +108,36 @@ class Noise : public SolidTexture {
   /// 0 <= octaves <= math::kMaxOctaves; slope is any finite number.
   Noise(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
         double slope = 0.5)
-      : SolidTexture(toTexture, first, second), octaves_(octaves), slope_(slope) {}
-  const char* getKind() const override { return "Noise"; }
-
- private:
-  double weightOfSecond(const Vec3d& p) const override;
-
-  int octaves_;
-  double slope_;
+      : SolidTexture("Noise", toTexture, first, second,
+                     [=](const Vec3d& p) { return 0.5 + slope * math::fractalNoise(p, octaves); }) {
+  }
 };
 
-/// Waves along a distance d, disturbed by noise: the second material has the weight
-/// (1 + height sin(frequency d + amplitude N)) / 2. Where the sine is NaN (an infinite angle) there
+/// Layers across the x axis, waves that are disturbed by noise: the second material has the weight
+/// (1 + height sin(frequency x + amplitude N)) / 2. Where the sine is NaN (an infinite angle) there
 /// is only the first.
-class WaveTexture : public SolidTexture {
+class Marble : public SolidTexture {
  public:
   /// octaves as for Noise; frequency in radians per unit of the texture's space, amplitude in
   /// radians, both any finite number; height 1, or -1, which exchanges the materials.
-  WaveTexture(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
-              double frequency, double amplitude, double height = 1)
-      : SolidTexture(toTexture, first, second),
-        octaves_(octaves),
-        frequency_(frequency),
-        amplitude_(amplitude),
-        height_(height) {}
-
- private:
-  double weightOfSecond(const Vec3d& p) const override;
-  virtual double distanceAt(const Vec3d& p) const = 0;
-
-  int octaves_;
-  double frequency_, amplitude_, height_;
+  Marble(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
+         double frequency, double amplitude, double height = 1)
+      : SolidTexture("Marble", toTexture, first, second, [=](const Vec3d& p) {
+          const double noise = math::fractalNoise(p, octaves);
+          return (1 + height * math::sin(frequency * p.x() + amplitude * noise)) / 2;
+        }) {}
 };
 
-/// Layers across the x axis: d is x.
-class Marble : public WaveTexture {
+/// Rings around the y axis: as Marble, with the distance sqrt(x^2 + z^2) from that axis for x.
+class Wood : public SolidTexture {
  public:
-  using WaveTexture::WaveTexture;
-  const char* getKind() const override { return "Marble"; }
-
- private:
-  double distanceAt(const Vec3d& p) const override;
-};
-
-/// Rings around the y axis: d is the distance from it.
-class Wood : public WaveTexture {
- public:
-  using WaveTexture::WaveTexture;
-  const char* getKind() const override { return "Wood"; }
-
- private:
-  double distanceAt(const Vec3d& p) const override;
+  Wood(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
+       double frequency, double amplitude)
+      : SolidTexture("Wood", toTexture, first, second, [=](const Vec3d& p) {
+          const double noise = math::fractalNoise(p, octaves);
+          const double distance = std::sqrt(p.x() * p.x() + p.z() * p.z());
+          return (1 + math::sin(frequency * distance + amplitude * noise)) / 2;
+        }) {}
 };
 
 /// Wood with narrow dark rings and a long grain: rings around the y axis that lean a little, and
@@ -170,18 +145,13 @@ class Wood : public WaveTexture {
 ///   s = 1/2 + sin(frequency (sqrt(x^2 + z^2) + 0.05 y) + amplitude N(x, 0.2 y, z)), within 0..1.
 class GrainedWood : public SolidTexture {
  public:
-  /// As for WaveTexture.
+  /// As for Marble.
   GrainedWood(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
               double frequency, double amplitude)
-      : SolidTexture(toTexture, first, second),
-        octaves_(octaves),
-        frequency_(frequency),
-        amplitude_(amplitude) {}
-  const char* getKind() const override { return "Wood"; }
-
- private:
-  double weightOfSecond(const Vec3d& p) const override;
-
-  int octaves_;
-  double frequency_, amplitude_;
+      : SolidTexture("Wood", toTexture, first, second, [=](const Vec3d& p) {
+          const double noise = math::fractalNoise({p.x(), 0.2 * p.y(), p.z()}, octaves);
+          const double rings = std::sqrt(p.x() * p.x() + p.z() * p.z()) + 0.05 * p.y();
+          const double s = withinUnit(0.5 + math::sin(frequency * rings + amplitude * noise));
+          return 1 - s * s;
+        }) {}
 };

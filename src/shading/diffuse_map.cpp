@@ -54,7 +54,5 @@ Vec3d ImageTexture::colorAt(const Hit& hit, const Vec3f& plain) const {
 Vec3d NoiseMap::colorAt(const Hit& hit, const Vec3f& /*plain*/) const {
   const Vec3d& p = hit.getIntersectionPoint();
   const double angle = frequency_ * p.x() + amplitude_ * math::fractalNoise(p, octaves_);
-  const double wave = (1 + math::sin(angle)) / 2;
-  const double share = wave > 0 ? std::min(wave, 1.0) : 0;
-  return mixed(second_, first_, share);
+  return mixed(second_, first_, withinUnit((1 + math::sin(angle)) / 2));
 }
