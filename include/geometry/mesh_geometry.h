@@ -43,10 +43,7 @@ class MeshGeometry {
     return found;
   }
   /// Corner 0, 1 or 2 of face `face`, in the mesh's own space.
-  Vec3d corner(std::uint32_t face, int index) const {
-    const Vec3d offset = vertices_[faces_[face][std::size_t(index)]];
-    return isFar_ ? origin_ + offset : offset;
-  }
+  Vec3d corner(std::uint32_t face, int index) const { return corners(face)[std::size_t(index)]; }
   /// Faces without area, which no ray ever hits.
   std::uint32_t countFlatFaces() const;
   /// Extends `box` by all faces as `toWorld` places them. Of a large mesh only the parts that stand

@@ -43,14 +43,10 @@ MaskOf<Number> distance(const Vec3<Number>& a, const Vec3<Number>& b, const Vec3
   return isNotZero(normal) & (nearest <= farthest);
 }
 
-/// Finds where the ray meets triangle abc (either side); on success stores the parameter in `t`,
-/// whatever its sign. A triangle without area is never hit, nor is one seen exactly edge-on.
-/// t never leaves the range of the three vertices, however flat the ray strikes.
+/// Finds where the ray meets triangle abc (either side): the parameter `t`, whatever its sign;
+/// anything where the result is false. A triangle without area is never hit, nor is one seen
+/// exactly edge-on. t never leaves the range of the three vertices, however flat the ray strikes.
 bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double& t);
-
-/// The same where tmin < t < tmax; else `t` is as it was.
-bool nearestRoot(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double tmin,
-                 double tmax, double& t);
 
 /// The barycentric weights of a point in the plane of triangle abc: the point is weights.x a +
 /// weights.y b + weights.z c, and they add up to 1, each but for rounding. At a corner those of the

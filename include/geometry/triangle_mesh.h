@@ -14,7 +14,7 @@ class TriangleMesh : public Object3D {
   const Material* getMaterial() const { return material_; }
 
   /// Finds the t at which the ray meets one face, if tmin < t < tmax and the ray does not start on
-  /// that face; on success stores it in `t`.
+  /// that face. Where the result is false, `t` is anything.
   bool nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax, double& t) const;
   /// Records in `hit` what lies at parameter t of the ray, which nearestRoot gave for that face.
   void setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const;

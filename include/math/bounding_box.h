@@ -35,13 +35,17 @@ class BoundingBox {
     const Vec3d margins(margin, margin, margin);
     return {low_ - margins, high_ + margins};
   }
-  /// The box of its eight corners as `matrix` moves them; of one that is not empty.
+  /// The least box that holds its eight corners, and with them all its points, as
+  /// matrix.transformPoint moves them, rounding included: the terms are added in the same order,
+  /// each at its least or largest, and rounding keeps order. Of a box that is finite, not empty.
   BoundingBox moved(const Matrix& matrix) const {
     BoundingBox box;
-    for (int corner = 0; corner < 8; ++corner) {
-      box.extend(matrix.transformPoint({((corner & 1) != 0 ? high_ : low_).x(),
-                                        ((corner & 2) != 0 ? high_ : low_).y(),
-                                        ((corner & 4) != 0 ? high_ : low_).z()}));
+    for (int row = 0; row < 3; ++row) {
+      const Vec3d factors(matrix.at(row, 0), matrix.at(row, 1), matrix.at(row, 2));
+      const Vec3d lows = factors * low_, highs = factors * high_;
+      const Vec3d from = least(lows, highs), to = largest(lows, highs);
+      box.low_[row] = from.x() + from.y() + from.z() + matrix.at(row, 3);
+      box.high_[row] = to.x() + to.y() + to.z() + matrix.at(row, 3);
     }
     return box;
   }

@@ -138,13 +138,9 @@ class Mask {
   Truths truths_;
 };
 
-inline Mask operator&(const Mask& a, const Mask& b) {
-  return Mask(Truths(a.truths() & b.truths()));
-}
-inline Mask operator|(const Mask& a, const Mask& b) {
-  return Mask(Truths(a.truths() | b.truths()));
-}
-inline Mask operator!(const Mask& a) { return Mask(Truths(~a.truths())); }
+inline Mask operator&(const Mask& a, const Mask& b) { return Mask(a.truths() & b.truths()); }
+inline Mask operator|(const Mask& a, const Mask& b) { return Mask(a.truths() | b.truths()); }
+inline Mask operator!(const Mask& a) { return Mask(~a.truths()); }
 inline bool any(const Mask& where) { return where.bits() != 0; }
 
 /// kDoubles doubles. Not initialised by default, as a double is not.
@@ -177,27 +173,21 @@ class Doubles {
   void set(int lane, double x) { v_[lane] = x; }
   const Vector& vector() const { return v_; }
 
+  friend Doubles operator+(const Doubles& a, const Doubles& b) { return a.v_ + b.v_; }
+  friend Doubles operator-(const Doubles& a, const Doubles& b) { return a.v_ - b.v_; }
+  friend Doubles operator*(const Doubles& a, const Doubles& b) { return a.v_ * b.v_; }
+  friend Doubles operator/(const Doubles& a, const Doubles& b) { return a.v_ / b.v_; }
+  friend Doubles operator-(const Doubles& a) { return -a.v_; }
+  friend Mask operator<(const Doubles& a, const Doubles& b) { return Mask(a.v_ < b.v_); }
+  friend Mask operator>(const Doubles& a, const Doubles& b) { return Mask(a.v_ > b.v_); }
+  friend Mask operator<=(const Doubles& a, const Doubles& b) { return Mask(a.v_ <= b.v_); }
+  friend Mask operator>=(const Doubles& a, const Doubles& b) { return Mask(a.v_ >= b.v_); }
+  friend Mask operator==(const Doubles& a, const Doubles& b) { return Mask(a.v_ == b.v_); }
+  friend Mask operator!=(const Doubles& a, const Doubles& b) { return !(a == b); }
+
  private:
   Vector v_;
 };
-
-inline Doubles operator+(const Doubles& a, const Doubles& b) { return a.vector() + b.vector(); }
-inline Doubles operator-(const Doubles& a, const Doubles& b) { return a.vector() - b.vector(); }
-inline Doubles operator*(const Doubles& a, const Doubles& b) { return a.vector() * b.vector(); }
-inline Doubles operator/(const Doubles& a, const Doubles& b) { return a.vector() / b.vector(); }
-inline Doubles operator-(const Doubles& a) { return -a.vector(); }
-inline Mask operator<(const Doubles& a, const Doubles& b) { return Mask(a.vector() < b.vector()); }
-inline Mask operator>(const Doubles& a, const Doubles& b) { return Mask(a.vector() > b.vector()); }
-inline Mask operator<=(const Doubles& a, const Doubles& b) {
-  return Mask(a.vector() <= b.vector());
-}
-inline Mask operator>=(const Doubles& a, const Doubles& b) {
-  return Mask(a.vector() >= b.vector());
-}
-inline Mask operator==(const Doubles& a, const Doubles& b) {
-  return Mask(a.vector() == b.vector());
-}
-inline Mask operator!=(const Doubles& a, const Doubles& b) { return !(a == b); }
 
 // The functions of number.h.
 inline Doubles choose(const Mask& where, const Doubles& a, const Doubles& b) {

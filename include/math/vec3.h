@@ -131,6 +131,13 @@ T maxAbs(const Vec3<T>& a) {
   return larger(larger(larger(T(0), absolute(a.x())), absolute(a.y())), absolute(a.z()));
 }
 
+/// The axis of the largest absolute component, the first of equal ones.
+template <class T>
+int longestAxis(const Vec3<T>& a) {
+  const int axis = absolute(a.y()) > absolute(a.x()) ? 1 : 0;
+  return absolute(a.z()) > absolute(a[axis]) ? 2 : axis;
+}
+
 /// The smaller, and the larger, of each pair of components. Where one is NaN, that of `a`.
 template <class T>
 Vec3<T> least(const Vec3<T>& a, const Vec3<T>& b) {

@@ -65,7 +65,7 @@ class SolidTexture : public Material {
 
   /// Sets `mixture` to the plain materials at a point of the world, each once, latest place first;
   /// their weights add up to 1 but for rounding. Never empty. Looks at each texture below this one
-  /// once, in how many ways it may be reached, and takes no stack.
+  /// once, in however many ways it may be reached, and takes no stack.
   void mixAt(const Vec3d& point, Mixture& mixture) const;
   Mixture materialsAt(const Vec3d& point) const {
     Mixture mixture;

@@ -40,24 +40,6 @@ std::vector<std::uint32_t> numberPositions(const std::vector<Vec3f>& vertices) {
   return numbers;
 }
 
-/// A box around all that Matrix::transformPoint gives for points in `box`, not empty, rounding
-/// included: the terms are added in the same order, each replaced by its least or largest value,
-/// and rounding keeps order.
-BoundingBox moved(const BoundingBox& box, const Matrix& matrix) {
-  Vec3d low, high;
-  for (int row = 0; row < 3; ++row) {
-    double least[3], largest[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double factor = matrix.at(row, axis);
-      least[axis] = factor * (factor < 0 ? box.high() : box.low())[axis];
-      largest[axis] = factor * (factor < 0 ? box.low() : box.high())[axis];
-    }
-    low[row] = least[0] + least[1] + least[2] + matrix.at(row, 3);
-    high[row] = largest[0] + largest[1] + largest[2] + matrix.at(row, 3);
-  }
-  return {low, high};
-}
-
 }  // namespace
 
 MeshGeometry::MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces,
@@ -135,10 +117,8 @@ void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
   };
   for (const Vec3f& corner : extremes_) extend(corner);
   for (std::size_t run = 0; run < runs_.size(); ++run) {
-    if (box.contains(moved({origin_ + runs_[run].low, origin_ + runs_[run].high}, toWorld))) {
-      continue;
-    }
-    visitCorners(run, extend);
+    const BoundingBox whole(origin_ + runs_[run].low, origin_ + runs_[run].high);
+    if (!box.contains(whole.moved(toWorld))) visitCorners(run, extend);
   }
 }
 

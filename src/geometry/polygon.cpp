@@ -79,10 +79,7 @@ std::vector<Point> projected(const std::vector<Vec3f>& corners) {
                 b = Vec3d(corners[(k + 1) % corners.size()]) - origin;
     normal += cross(a, b);
   }
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (std::fabs(normal[k]) > std::fabs(normal[axis])) axis = k;
-  }
+  const int axis = longestAxis(normal);
   std::vector<Point> points;
   if (normal[axis] == 0) return points;
   int first = (axis + 1) % 3, second = (axis + 2) % 3;

@@ -61,10 +61,7 @@ struct Seen {
   Seen(const Vec3d& p, const Vec3d& q, const Vec3d& r, const Ray& ray)
       : a(p - ray.getOrigin()), b(q - ray.getOrigin()), c(r - ray.getOrigin()) {
     const Vec3d& direction = ray.getDirection();
-    int along = 0;
-    for (int axis = 1; axis < 3; ++axis) {
-      if (std::fabs(direction[axis]) > std::fabs(direction[along])) along = axis;
-    }
+    const int along = longestAxis(direction);
     int first = (along + 1) % 3, second = (along + 2) % 3;
     if (direction[along] < 0) std::swap(first, second);  // turning right stays turning right
     const double slopeFirst = direction[first] / direction[along];
@@ -92,10 +89,7 @@ bool intersect(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, d
 
 Vec3d weightsAt(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& point) {
   const Vec3d whole = areaNormal(a, b, c);
-  int axis = 0;
-  for (int other = 1; other < 3; ++other) {
-    if (std::fabs(whole[other]) > std::fabs(whole[axis])) axis = other;
-  }
+  const int axis = longestAxis(whole);
   const auto share = [&](const Vec3d& from, const Vec3d& to) {
     return areaNormal(point, from, to)[axis] / whole[axis];
   };
@@ -112,19 +106,11 @@ bool crosses(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, dou
   return distance(seen.a, seen.b, seen.c, areaNormal(a, b, c), ray.getDirection(), t);
 }
 
-bool nearestRoot(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ray& ray, double tmin,
-                 double tmax, double& t) {
-  double root;
-  if (!intersect(a, b, c, ray, root) || !(root > tmin && root < tmax)) return false;
-  t = root;
-  return true;
-}
-
 }  // namespace triangle
 
 bool Triangle::nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const {
   const auto& [a, b, c] = vertices_;
-  return !ray.leaves(this) && triangle::nearestRoot(a, b, c, ray, tmin, tmax, t);
+  return !ray.leaves(this) && triangle::intersect(a, b, c, ray, t) && t > tmin && t < tmax;
 }
 
 void Triangle::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {

@@ -9,7 +9,7 @@
 bool TriangleMesh::nearestRoot(std::uint32_t face, const Ray& ray, double tmin, double tmax,
                                double& t) const {
   const auto [a, b, c] = geometry_->corners(face);
-  return !ray.leaves(this, face) && triangle::nearestRoot(a, b, c, ray, tmin, tmax, t);
+  return !ray.leaves(this, face) && triangle::intersect(a, b, c, ray, t) && t > tmin && t < tmax;
 }
 
 void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit) const {
@@ -33,16 +33,16 @@ void TriangleMesh::visitFace(std::uint32_t face, const Ray& ray, CrossingVisitor
 
 bool TriangleMesh::intersect(const Ray& ray, Hit& hit, double tmin) const {
   // Each face must be nearer than those before it, so among equal ones the first wins.
-  bool found = false;
-  std::uint32_t nearest = 0;
-  double t = hit.getT();
-  for (std::uint32_t face = 0; face < geometry_->faceCount(); ++face) {
-    if (!nearestRoot(face, ray, tmin, t, t)) continue;
+  const std::uint32_t none = geometry_->faceCount();
+  std::uint32_t nearest = none;
+  double t, least = hit.getT();
+  for (std::uint32_t face = 0; face < none; ++face) {
+    if (!nearestRoot(face, ray, tmin, least, t)) continue;
     nearest = face;
-    found = true;
+    least = t;
   }
-  if (found) setHit(nearest, ray, t, hit);
-  return found;
+  if (nearest != none) setHit(nearest, ray, least, hit);
+  return nearest != none;
 }
 
 bool TriangleMesh::occluded(const Ray& ray, double tmin, double tmax) const {

@@ -11,12 +11,12 @@ Vec3d CubeMap::colorAt(const Vec3d& direction) const {
     return pictures_[std::size_t(face)]->colorAt(u, v);
   };
   const auto across = [](double b, double a) { return (b / a + 1) / 2; };
-  const double sizeX = absolute(x), sizeY = absolute(y), sizeZ = absolute(z);
-  if (sizeX >= sizeY && sizeX >= sizeZ) {
+  const int longest = longestAxis(direction);
+  if (longest == 0) {
     const double u = across(z, x), v = across(y, x);
     return x > 0 ? look(1, u, v) : look(0, u, 1 - v);
   }
-  if (sizeY >= sizeZ) {
+  if (longest == 1) {
     const double u = across(x, y), v = across(z, y);
     return y > 0 ? look(2, u, v) : look(3, 1 - u, 1 - v);
   }

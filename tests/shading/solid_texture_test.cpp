@@ -119,11 +119,8 @@ TEST("a weight below 0 counts as 0, above 1 as 1, and NaN as 0") {
   class Fixed : public SolidTexture {
    public:
     Fixed(const Pair& pair, double weight)
-        : SolidTexture(Matrix(), pair.first, pair.second), weight_(weight) {}
-
-   private:
-    double weightOfSecond(const Vec3d&) const override { return weight_; }
-    double weight_;
+        : SolidTexture("Fixed", Matrix(), pair.first, pair.second,
+                       [weight](const Vec3d&) { return weight; }) {}
   };
   const Pair pair;
   for (const double weight : {-0.5, -1e300, std::nan(""), 0.0}) {
