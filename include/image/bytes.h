@@ -55,6 +55,13 @@ class ByteReader {
   void check(bool claim, const Words&... words) const {
     if (!claim) fail(words...);
   }
+  /// An entry of a palette. Throws ImageError where there are not so many.
+  template <class Color>
+  const Color& entryAt(std::size_t index, const std::vector<Color>& palette) const {
+    check(index < palette.size(), "expected a palette index below ", palette.size(), ", found ",
+          index);
+    return palette[index];
+  }
 
  private:
   const Bytes& bytes_;

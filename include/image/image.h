@@ -25,7 +25,11 @@ inline std::uint8_t byteFromComponent(float component) {
   // NaN, for which every comparison is false, is less than nothing here.
   return std::uint8_t(std::min(255.0f, std::max(0.0f, component * 255.0f)));
 }
-/// That of red, green and blue, each on its own.
+/// sample * 255 / most, rounded to nearest; for sample <= most <= 65535.
+inline std::uint8_t byteFromSample(unsigned sample, unsigned most) {
+  return std::uint8_t((sample * 255 + most / 2) / most);
+}
+/// byteFromComponent of red, green and blue, each on its own.
 inline Rgb8 bytesFromColor(const Vec3f& color) {
   return {byteFromComponent(color.r()), byteFromComponent(color.g()), byteFromComponent(color.b())};
 }

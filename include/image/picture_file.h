@@ -56,11 +56,10 @@ using Sink = std::function<void(const Bytes& piece)>;
 
 // TGA. Source: Truevision TGA File Format Specification, version 2.0, 1991.
 
-/// 18 header bytes, all 0 but type 2, width and height (little-endian), 24 bits and descriptor
-/// 0x20, then BGR bytes, top row first; no ID, no footer. Sides are 1..65535 pixels. A part has its
-/// place in the origin fields besides, and its ID. The rows are those of writeTgaRows.
-void encodeTga(int width, int height, const std::function<Bytes(int y)>& row, const TgaPlace& place,
-               const Sink& sink);
+/// What stands before the pixels, which are BGR bytes, top row first, with nothing behind them: 18
+/// bytes, all 0 but type 2, width and height (little-endian), 24 bits and descriptor 0x20. Sides
+/// are 1..65535 pixels. A part has its place in the origin fields besides, and its ID.
+Bytes tgaHead(int width, int height, const TgaPlace& place);
 
 /// Reads types 1, 2, 3, 9, 10 and 11 (colour map, true colour, grey; the latter three run-length
 /// encoded), the first pixel in any corner.
@@ -96,8 +95,9 @@ Image decodePng(const Bytes& bytes, const std::string& name, FloatImage* exact =
 
 // BMP. Source: Microsoft, "Bitmap Storage" (BITMAPINFOHEADER), 2021.
 
-/// 24 bits, not compressed, the bottom row first; of at most 4 GB.
-void encodeBmp(const Image& image, const Sink& sink);
+/// What stands before the pixels, which are BGR bytes, not compressed, the bottom row first, each
+/// row filled up to a multiple of four; of at most 4 GB.
+Bytes bmpHead(int width, int height);
 
 /// True where the bytes begin with BM and the length of a head that is known.
 bool isBmp(const Bytes& bytes);
@@ -110,8 +110,8 @@ Image decodeBmp(const Bytes& bytes, const std::string& name);
 // PPM and PFM: pictures behind a head of plain text.
 // Sources: ppm(5) of Netpbm, 2016; Debevec, PFM: Portable FloatMap Image Format, 2001.
 
-/// P6: "P6\nWIDTH HEIGHT\n255\n", then RGB bytes, top row first.
-void encodePpm(const Image& image, const Sink& sink);
+/// P6: "P6\nWIDTH HEIGHT\n255\n", before RGB bytes, top row first.
+Bytes ppmHead(int width, int height);
 
 /// PF: "PF\nWIDTH HEIGHT\n-1\n", then RGB floats (IEEE 754, 32 bits, little-endian: that is what
 /// the -1 says), bottom row first. Nothing is clamped; infinities and NaN are written as they are.

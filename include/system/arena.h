@@ -41,10 +41,12 @@ class Arena {
   };
 
  private:
+  struct alignas(kAlignment) Line {
+    unsigned char bytes[kAlignment];
+  };
   struct Block {
-    std::unique_ptr<unsigned char[]> memory;
-    unsigned char* begin;  // aligned
-    std::size_t size;
+    std::unique_ptr<Line[]> lines;
+    std::size_t size;  // in bytes
   };
   static constexpr std::size_t roundedUp(std::size_t bytes) {
     return (bytes + kAlignment - 1) / kAlignment * kAlignment;
@@ -60,8 +62,8 @@ class Arena {
   void goTo(std::size_t block, unsigned char* next) {
     // Before the first block there is nothing to go back to but the first one.
     block_ = block;
-    next_ = next || blocks_.empty() ? next : blocks_[block].begin;
-    end_ = blocks_.empty() ? next : blocks_[block].begin + blocks_[block].size;
+    next_ = next || blocks_.empty() ? next : blocks_[block].lines[0].bytes;
+    end_ = blocks_.empty() ? next : blocks_[block].lines[0].bytes + blocks_[block].size;
   }
 
   std::vector<Block> blocks_;

@@ -3,12 +3,22 @@
 #pragma once
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <string>
 
 #include "system/memory.h"
+
+/// Makes a call of the system, and again as long as signals interrupt it; gives its result.
+template <class Call>
+auto uninterrupted(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
+}
 
 /// A file or folder that is open, and closed at the end of its life.
 class OpenFile {
@@ -42,10 +52,6 @@ class OpenFile {
   int descriptor_;
 };
 
-/// Reads once, up to `room` bytes, again where a signal interrupts; returns how many were read, 0
-/// at the end, < 0 on failure, which errno explains.
-ssize_t readSome(int descriptor, char* target, std::size_t room);
-
 /// How reading a file to its end went.
 enum class ReadOutcome {
   whole,
@@ -74,7 +80,7 @@ ReadOutcome readToEnd(int descriptor, Bytes& bytes, std::size_t mostStreamed) {
     const std::size_t room = bytes.capacity() - size;
     bytes.resize(size + (room > 0 ? std::min(room, kMostRoom) : kLeastRoom));
     const ssize_t count =
-        readSome(descriptor, reinterpret_cast<char*>(&bytes[size]), bytes.size() - size);
+        uninterrupted([&] { return ::read(descriptor, &bytes[size], bytes.size() - size); });
     bytes.resize(size + std::size_t(std::max(count, ssize_t(0))));
     if (count <= 0) return count < 0 ? ReadOutcome::failed : ReadOutcome::whole;
   }

@@ -86,9 +86,7 @@ class BmpReader {
   Rgb8 pixelAt(const std::uint8_t* row, int x) const {
     const std::uint8_t* const pixel = row + std::size_t(x) * (bits_ / 8);
     if (bits_ != 8) return {pixel[2], pixel[1], pixel[0]};
-    reader_.check(*pixel < palette_.size(), "expected a palette index below ", palette_.size(),
-                  ", found ", unsigned{*pixel});
-    return palette_[*pixel];
+    return reader_.entryAt(*pixel, palette_);
   }
 
   const Bytes& bytes_;
@@ -112,31 +110,22 @@ Image decodeBmp(const Bytes& bytes, const std::string& name) {
   return BmpReader(bytes, name).read();
 }
 
-void encodeBmp(const Image& image, const Sink& sink) {
-  const auto width = std::uint32_t(image.Width()), height = std::uint32_t(image.Height());
-  const std::uint64_t stride = strideOf(width, 24), pixels = stride * height;
+Bytes bmpHead(int width, int height) {
+  const std::uint64_t pixels = strideOf(std::uint64_t(width), 24) * std::uint64_t(height);
   Bytes head = {'B', 'M'};
-  const auto add = [&](std::uint32_t value, int count = 4) {
-    appendLittleEndian(value, count, head);
+  const auto add = [&](std::uint64_t value, int count = 4) {
+    appendLittleEndian(std::uint32_t(value), count, head);
   };
-  add(std::uint32_t(kFileHead + kInfoHead + pixels));
+  add(kFileHead + kInfoHead + pixels);
   add(0);
   add(kFileHead + kInfoHead);  // where the pixels begin
   add(kInfoHead);
-  add(width);
-  add(height);
+  add(std::uint64_t(width));
+  add(std::uint64_t(height));
   add(1, 2);   // plane
   add(24, 2);  // bits
   add(kPlain);
-  add(std::uint32_t(pixels));
+  add(pixels);
   for (int k = 0; k < 4; ++k) add(0);  // no resolution, no palette
-  sink(head);
-  for (int y = 0; y < image.Height(); ++y) {
-    const std::uint8_t* const rgb = image.rowBytes(y);
-    Bytes row(stride);
-    for (std::size_t k = 0; k < 3 * std::size_t(width); k += 3) {
-      for (std::size_t channel = 0; channel < 3; ++channel) row[k + channel] = rgb[k + 2 - channel];
-    }
-    sink(row);
-  }
+  return head;
 }

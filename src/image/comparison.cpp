@@ -14,11 +14,6 @@ namespace {
 
 constexpr Rgb8 kOnlyInOne = {255, 0, 255};
 
-/// Sums over the samples of two pictures. Those of bytes are exact: 65025 * 3 * 2^32 is below 2^53.
-struct Sums {
-  double differences = 0, squares = 0;
-};
-
 /// Of two floats, in levels; see Comparison.
 double differenceOf(float e, float a) {
   if (e == a || (std::isnan(e) && std::isnan(a))) return 0;
@@ -64,13 +59,13 @@ void addOver(int x, int y, Comparison& result) {
   result.boxHeight = y + 1 - result.boxY;
 }
 
-/// From the sums over all three samples of a pixel; see Comparison for the formulas.
-void setFigures(const Sums& sums, Comparison& result) {
+/// From the sums over all samples of the differences and of their squares; see Comparison.
+void setFigures(double sum, double squares, Comparison& result) {
   const double samples = 3.0 * double(result.pixels);
-  result.mean = sums.differences / samples;
-  result.rms = std::sqrt(sums.squares / samples);
-  result.psnr = sums.squares == 0 ? std::numeric_limits<double>::infinity()
-                                  : 20 * math::log(255 / result.rms) / math::log(10.0);
+  result.mean = sum / samples;
+  result.rms = std::sqrt(squares / samples);
+  result.psnr = squares == 0 ? std::numeric_limits<double>::infinity()
+                             : 20 * math::log(255 / result.rms) / math::log(10.0);
 }
 
 /// A sample's difference, made visible.
@@ -94,13 +89,13 @@ Comparison compare(const ReadPicture& expected, const ReadPicture& actual, int t
   Comparison result;
   result.pixels = std::size_t(width) * std::size_t(height);
   const Differences differences(expected, actual);
-  Sums sums;
+  double sum = 0, squares = 0;  // of bytes exact: 65025 * 3 * 2^32 is below 2^53
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::array<double, 3> samples = differences.at(x, y);
       for (const double difference : samples) {
-        sums.differences += difference;
-        sums.squares += difference * difference;
+        sum += difference;
+        squares += difference * difference;
       }
       const double largest = *std::max_element(samples.begin(), samples.end());
       if (largest > tolerance) addOver(x, y, result);
@@ -110,7 +105,7 @@ Comparison compare(const ReadPicture& expected, const ReadPicture& actual, int t
       result.worstY = y;
     }
   }
-  setFigures(sums, result);
+  setFigures(sum, squares, result);
   return result;
 }
 

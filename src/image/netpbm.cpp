@@ -121,7 +121,7 @@ class NetpbmReader {
     if (!isText_ && maximum_ > 255) value = value * 256 + reader_.takeByte("sample");
     reader_.check(value <= maximum_, "expected a sample of at most ", maximum_, ", found ", value);
     exact = float(value) / float(maximum_);
-    return static_cast<std::uint8_t>((value * 255 + maximum_ / 2) / maximum_);
+    return byteFromSample(value, maximum_);
   }
 
   /// Of either byte order, on a machine of either.
@@ -142,14 +142,7 @@ class NetpbmReader {
 
 }  // namespace
 
-/// The rows of an image are those of the file, in the other order.
-void encodePpm(const Image& image, const Sink& sink) {
-  sink(headOf("P6", image.Width(), image.Height(), "255"));
-  for (int y = image.Height() - 1; y >= 0; --y) {
-    const std::uint8_t* const row = image.rowBytes(y);
-    sink(Bytes(row, row + 3 * std::size_t(image.Width())));
-  }
-}
+Bytes ppmHead(int width, int height) { return headOf("P6", width, height, "255"); }
 
 void encodePfm(int width, int height, const std::function<Vec3f(int x, int y)>& colorOf,
                const Sink& sink) {

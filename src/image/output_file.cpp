@@ -118,14 +118,6 @@ std::string temporaryName(const fs::path& target, int attempt) {
   return folderOf(target) / (name + ending);
 }
 
-/// The call again, as long as signals interrupt it.
-template <class Call>
-int uninterrupted(const Call& call) {
-  int result = call();
-  while (result < 0 && errno == EINTR) result = call();
-  return result;
-}
-
 int openInPlace(const Place& place) {
   if (place.descriptor >= 0) return fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0);
   return uninterrupted(

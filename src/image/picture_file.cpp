@@ -1,5 +1,5 @@
 // Picture files: which kind, and from there to its reader or writer.
-// A writer's way: a picture goes to its format's encode function, which hands the file to a sink
+// A writer's way: a picture becomes the head and the rows of its format, which go to a sink
 // piece by piece; the sink appends to an OutputFile, or to bytes in memory. A reader's way: the
 // whole file is read, and its first bytes say which decode function it is for; a TGA has none to
 // tell by.
@@ -11,12 +11,23 @@
 
 namespace {
 
-/// Of a TGA, the y-th from the top: blue comes first.
-Bytes bgrRow(const Image& image, int y) {
-  const std::uint8_t* const rgb = image.rowBytes(image.Height() - 1 - y);
-  Bytes row(rgb, rgb + 3 * std::size_t(image.Width()));
-  for (std::size_t i = 0; i < row.size(); i += 3) std::swap(row[i], row[i + 2]);
-  return row;
+/// How the rows of bytes follow behind a head.
+struct RowOrder {
+  bool isTopFirst, isBlueFirst;
+  std::size_t unit;  // a row is filled up with zeros to a multiple of so many bytes
+};
+
+void encodeRows(const Image& image, const Bytes& head, const RowOrder& order, const Sink& sink) {
+  sink(head);
+  for (int k = 0; k < image.Height(); ++k) {
+    const std::uint8_t* const rgb = image.rowBytes(order.isTopFirst ? image.Height() - 1 - k : k);
+    Bytes row(rgb, rgb + 3 * std::size_t(image.Width()));
+    for (std::size_t i = 0; order.isBlueFirst && i < row.size(); i += 3) {
+      std::swap(row[i], row[i + 2]);
+    }
+    row.resize((row.size() + order.unit - 1) / order.unit * order.unit);
+    sink(row);
+  }
 }
 
 /// Of a PFM.
@@ -28,14 +39,13 @@ void encode(const Image& image, PictureFormat format, int threads, const TgaPlac
   const int width = image.Width(), height = image.Height();
   switch (format) {
     case PictureFormat::tga:
-      return encodeTga(
-          width, height, [&image](int y) { return bgrRow(image, y); }, place, sink);
+      return encodeRows(image, tgaHead(width, height, place), {true, true, 1}, sink);
     case PictureFormat::png:
       return encodePng(image, sink, threads);
     case PictureFormat::bmp:
-      return encodeBmp(image, sink);
+      return encodeRows(image, bmpHead(width, height), {false, true, 4}, sink);
     case PictureFormat::ppm:
-      return encodePpm(image, sink);
+      return encodeRows(image, ppmHead(width, height), {true, false, 1}, sink);
     case PictureFormat::pfm:
       return encodePfm(
           width, height, [&image](int x, int y) { return colorOf(image.getPixel(x, y)); }, sink);
@@ -119,7 +129,10 @@ void writePicture(const FloatImage& image, const std::string& path) {
 
 void writeTgaRows(int width, int height, const std::function<Bytes(int y)>& row,
                   const std::string& path) {
-  write(path, [&](const Sink& sink) { encodeTga(width, height, row, {}, sink); });
+  write(path, [&](const Sink& sink) {
+    sink(tgaHead(width, height, {}));
+    for (int y = 0; y < height; ++y) sink(row(y));
+  });
 }
 
 Bytes encodePicture(const Image& image, PictureFormat format) {

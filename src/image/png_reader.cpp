@@ -45,10 +45,9 @@ Chunk takeChunk(ByteReader& reader) {
 /// Some of a picture's pixels: column 0 of row 0 is (x, y), the next are dx and dy further.
 struct Pass {
   std::uint32_t x, y, dx, dy;
+  std::uint64_t columns = 0, rows = 0;  // both 0 where the picture is too small for any
+  std::uint64_t stride = 0;             // bytes of a row, with its filter
 };
-constexpr Pass kWhole[] = {{0, 0, 1, 1}};
-constexpr Pass kAdam7[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
-                           {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
 
 /// Gathers what the chunks say: the head, a palette, compressed data. At IEND the picture is made.
 class PngReader {
@@ -70,8 +69,13 @@ class PngReader {
     Image image(static_cast<int>(width_), static_cast<int>(height_));
     if (isExact()) *exact_ = FloatImage(image.Width(), image.Height());
     std::uint8_t* row = rows.data();
-    for (const Pass* pass = firstPass(); pass != lastPass(); ++pass)
-      row = takePass(*pass, row, image);
+    for (const Pass& pass : passes_) {
+      for (std::uint64_t k = 0; k < pass.rows; ++k, row += pass.stride) {
+        // In place: the row above, whose filter is undone, is still there for this one.
+        undoFilter(row, pass.stride, k > 0);
+        takeRow(pass, row + 1, image.Height() - 1 - int(pass.y + k * pass.dy), image);
+      }
+    }
     return image;
   }
 
@@ -100,7 +104,21 @@ class PngReader {
     reader_.check(compression == 0 && filter == 0,
                   "expected compression and filter method 0, found ", compression, " and ", filter);
     reader_.check(interlace <= 1, "expected interlace method 0 or 1, found ", interlace);
-    isInterlaced_ = interlace == 1;
+    setPasses(interlace == 1);
+  }
+
+  void setPasses(bool isInterlaced) {
+    passes_ = {{0, 0, 1, 1}};
+    if (isInterlaced) {
+      passes_ = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                 {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+    }
+    for (Pass& pass : passes_) {
+      pass.columns = (std::uint64_t{width_} + pass.dx - 1 - pass.x) / pass.dx;
+      pass.rows = (std::uint64_t{height_} + pass.dy - 1 - pass.y) / pass.dy;
+      if (pass.columns == 0) pass.rows = 0;
+      pass.stride = 1 + (pass.columns * channels_ * depth_ + 7) / 8;
+    }
   }
 
   /// `before` is the type of the chunk before this one.
@@ -144,19 +162,6 @@ class PngReader {
                   " bytes does not fit the colour type or palette");
   }
 
-  const Pass* firstPass() const { return isInterlaced_ ? kAdam7 : kWhole; }
-  const Pass* lastPass() const { return isInterlaced_ ? std::end(kAdam7) : std::end(kWhole); }
-  /// Columns and rows of a pass, either may be 0.
-  std::uint64_t columnsOf(const Pass& pass) const {
-    return (std::uint64_t{width_} + pass.dx - 1 - pass.x) / pass.dx;
-  }
-  std::uint64_t rowsOf(const Pass& pass) const {
-    return (std::uint64_t{height_} + pass.dy - 1 - pass.y) / pass.dy;
-  }
-  /// Bytes of a row of so many pixels, with its filter.
-  std::uint64_t stride(std::uint64_t columns) const {
-    return 1 + (columns * channels_ * depth_ + 7) / 8;
-  }
   /// Bytes that the filters take for a pixel: of several pixels in a byte 1.
   std::size_t bytesPerPixel() const { return std::max<std::size_t>(1, channels_ * depth_ / 8); }
 
@@ -166,10 +171,7 @@ class PngReader {
   /// All rows, each behind its filter.
   Bytes inflateRows() const {
     std::uint64_t size = 0;
-    for (const Pass* pass = firstPass(); pass != lastPass(); ++pass) {
-      const std::uint64_t columns = columnsOf(*pass);
-      if (columns > 0) size += rowsOf(*pass) * stride(columns);
-    }
+    for (const Pass& pass : passes_) size += pass.rows * pass.stride;
     // Deflate makes at most kMostExpansion bytes of one: too little data is told before inflating.
     const bool isPossible = size / kMostExpansion <= data_.size();
     const std::uint64_t pixels = std::uint64_t{width_} * height_;
@@ -191,22 +193,6 @@ class PngReader {
     return rows;
   }
 
-  /// Enters the pixels of a pass, whose rows begin at `row`; returns where the next one's do.
-  std::uint8_t* takePass(const Pass& pass, std::uint8_t* row, Image& image) {
-    const std::uint64_t columns = columnsOf(pass), rows = columns > 0 ? rowsOf(pass) : 0;
-    for (std::uint64_t k = 0; k < rows; ++k, row += stride(columns)) {
-      // In place: the row above, whose filter is undone, is still there for this one.
-      undoFilter(row, stride(columns), k > 0);
-      const int y = image.Height() - 1 - int(pass.y + k * pass.dy);
-      for (std::uint64_t column = 0; column < columns; ++column) {
-        const int x = int(pass.x + column * pass.dx);
-        image.setPixel(x, y, pixelOf(row + 1, column));
-        if (isExact()) exact_->setPixel(x, y, exactOf(row + 1, column));
-      }
-    }
-    return row;
-  }
-
   /// `row` points at the filter byte; the row before it is already done. Beyond the edges is 0.
   void undoFilter(std::uint8_t* row, std::uint64_t size, bool hasAbove) const {
     const unsigned filter = row[0];
@@ -224,50 +210,37 @@ class PngReader {
   /// Sample `number` of a row, counted from its left: those of less than 8 bits from the high end
   /// of their byte on (2.3).
   unsigned sampleAt(const std::uint8_t* samples, std::uint64_t number) const {
+    if (depth_ == 8) return samples[number];
     if (depth_ == 16) return samples[2 * number] * 256u + samples[2 * number + 1];
     const std::uint64_t bit = number * depth_;
     return samples[bit / 8] >> (8 - depth_ - bit % 8) & ((1u << depth_) - 1);
   }
-
-  /// A colour's sample as a byte, rounded to nearest (12.5 of the specification's third edition).
-  std::uint8_t byteAt(const std::uint8_t* samples, std::uint64_t number) const {
-    if (depth_ == 8) return samples[number];
-    const unsigned sample = sampleAt(samples, number);
-    if (depth_ == 16) return std::uint8_t((sample * 255 + 32767) / 65535);
-    return std::uint8_t(sample * (255 / ((1u << depth_) - 1)));  // 255, 85 and 17 fit exactly
+  /// As a byte (12.5 of the specification's third edition).
+  std::uint8_t byteOf(unsigned sample) const {
+    return depth_ == 8 ? std::uint8_t(sample) : byteFromSample(sample, (1u << depth_) - 1);
   }
 
-  /// The pixel at a column of a row of samples.
-  Rgb8 pixelOf(const std::uint8_t* samples, std::uint64_t column) const {
-    const std::uint64_t first = column * channels_;
-    if (channels_ >= 3) {
-      return {byteAt(samples, first), byteAt(samples, first + 1), byteAt(samples, first + 2)};
+  /// Enters a row of samples as pixels of row y. Of a grey all three components are one sample.
+  void takeRow(const Pass& pass, const std::uint8_t* samples, int y, Image& image) {
+    const unsigned next = channels_ >= 3 ? 1 : 0;
+    for (std::uint64_t column = 0; column < pass.columns; ++column) {
+      const int x = int(pass.x + column * pass.dx);
+      const std::uint64_t first = column * channels_;
+      const unsigned r = sampleAt(samples, first), g = sampleAt(samples, first + next),
+                     b = sampleAt(samples, first + 2 * next);
+      image.setPixel(x, y,
+                     colorType_ == png::kPalette ? reader_.entryAt(r, palette_)
+                                                 : Rgb8{byteOf(r), byteOf(g), byteOf(b)});
+      if (isExact()) exact_->setPixel(x, y, Vec3f(float(r), float(g), float(b)) / 65535);
     }
-    if (colorType_ != png::kPalette) {
-      const std::uint8_t grey = byteAt(samples, first);
-      return {grey, grey, grey};
-    }
-    const unsigned index = sampleAt(samples, first);
-    reader_.check(index < palette_.size(), "expected a palette index below ", palette_.size(),
-                  ", found ", index);
-    return palette_[index];
-  }
-
-  /// The same without rounding to bytes.
-  Vec3f exactOf(const std::uint8_t* samples, std::uint64_t column) const {
-    Vec3f color;
-    for (unsigned k = 0; k < 3; ++k) {
-      const unsigned channel = channels_ >= 3 ? k : 0;
-      color[int(k)] = float(sampleAt(samples, column * channels_ + channel)) / 65535;
-    }
-    return color;
   }
 
   ByteReader reader_;
   FloatImage* const exact_;  // not owned; may be null
   std::uint32_t width_ = 0, height_ = 0;
   unsigned colorType_ = 0, channels_ = 0, depth_ = 8;
-  bool isInterlaced_ = false, hasData_ = false, hasTransparency_ = false;
+  bool hasData_ = false, hasTransparency_ = false;
+  std::vector<Pass> passes_;
   std::vector<Rgb8> palette_;
   Bytes data_;  // of all IDAT chunks
 };

@@ -21,10 +21,7 @@ std::size_t bytesOf(unsigned bits) { return (bits + 7) / 8; }
 
 bool isColorDepth(unsigned bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
 
-/// v * 255 / 31, rounded to nearest.
-std::uint8_t byteFrom5Bits(unsigned value) {
-  return static_cast<std::uint8_t>(((value & 31) * 255 + 15) / 31);
-}
+std::uint8_t byteFrom5Bits(unsigned value) { return byteFromSample(value & 31, 31); }
 
 /// A colour of 15 or 16 bits (5-5-5, blue lowest), or BGR, or BGRA.
 Rgb8 colorFrom(const std::uint8_t* bytes, unsigned depth) {
@@ -138,18 +135,16 @@ class TgaReader {
 
 }  // namespace
 
-void encodeTga(int width, int height, const std::function<Bytes(int y)>& row, const TgaPlace& place,
-               const Sink& sink) {
+Bytes tgaHead(int width, int height, const TgaPlace& place) {
   assert(width >= 1 && height >= 1 && place.id.size() <= 255);
-  Bytes header = {static_cast<std::uint8_t>(place.id.size()), 0, 2, 0, 0, 0, 0, 0};
+  Bytes head = {static_cast<std::uint8_t>(place.id.size()), 0, 2, 0, 0, 0, 0, 0};
   for (const int number : {place.x, place.y, width, height}) {
     assert(number >= 0 && number <= 65535);
-    appendLittleEndian(static_cast<std::uint32_t>(number), 2, header);
+    appendLittleEndian(static_cast<std::uint32_t>(number), 2, head);
   }
-  header.insert(header.end(), {24, 0x20});  // bits of a pixel; the top row comes first
-  header.insert(header.end(), place.id.begin(), place.id.end());
-  sink(header);
-  for (int y = 0; y < height; ++y) sink(row(y));
+  head.insert(head.end(), {24, 0x20});  // bits of a pixel; the top row comes first
+  head.insert(head.end(), place.id.begin(), place.id.end());
+  return head;
 }
 
 Image decodeTga(const Bytes& bytes, const std::string& name) {

@@ -3,7 +3,6 @@
 #include "system/arena.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace {
 
@@ -19,11 +18,7 @@ void Arena::findRoom(std::size_t bytes) {
     // Each block is as large as all before it, so that there are few.
     const std::size_t last = blocks_.empty() ? 0 : blocks_.back().size;
     const std::size_t size = roundedUp(std::max({bytes, kLeastBlock, 2 * last}));
-    Block made{std::unique_ptr<unsigned char[]>(new unsigned char[size + kAlignment]), nullptr,
-               size};
-    const auto address = reinterpret_cast<std::uintptr_t>(made.memory.get());
-    made.begin = made.memory.get() + (roundedUp(address) - address);
-    blocks_.push_back(std::move(made));
+    blocks_.push_back({std::unique_ptr<Line[]>(new Line[size / kAlignment]), size});
   }
-  goTo(block, blocks_[block].begin);
+  goTo(block, blocks_[block].lines[0].bytes);
 }

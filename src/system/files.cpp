@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <initializer_list>
 
 static_assert(sizeof(off_t) == 8, "files beyond 2 GB need _FILE_OFFSET_BITS=64");
@@ -29,13 +28,11 @@ off_t OpenFile::regularSize() const {
 
 ssize_t OpenFile::readAt(off_t offset, void* target, std::size_t size) const {
   std::size_t done = 0;
-  while (done < size) {
+  for (ssize_t count = 1; done < size && count != 0; done += std::size_t(count)) {
     char* const next = static_cast<char*>(target) + done;
-    const ssize_t count = pread(descriptor_, next, size - done, offset + off_t(done));
-    if (count < 0 && errno == EINTR) continue;
+    count =
+        uninterrupted([&] { return pread(descriptor_, next, size - done, offset + off_t(done)); });
     if (count < 0) return -1;
-    if (count == 0) break;
-    done += std::size_t(count);
   }
   return ssize_t(done);
 }
@@ -43,8 +40,8 @@ ssize_t OpenFile::readAt(off_t offset, void* target, std::size_t size) const {
 bool OpenFile::writeAt(off_t offset, const void* source, std::size_t size) const {
   for (std::size_t done = 0; done < size;) {
     const char* const next = static_cast<const char*>(source) + done;
-    const ssize_t count = pwrite(descriptor_, next, size - done, offset + off_t(done));
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count =
+        uninterrupted([&] { return pwrite(descriptor_, next, size - done, offset + off_t(done)); });
     if (count == 0) errno = EIO;
     if (count <= 0) return false;
     done += std::size_t(count);
@@ -54,18 +51,8 @@ bool OpenFile::writeAt(off_t offset, const void* source, std::size_t size) const
 
 /// Only "another has it" is a refusal: where there are no locks, the file is used without.
 bool OpenFile::lock(bool waits) const {
-  while (flock(descriptor_, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0) {
-    if (errno == EWOULDBLOCK) return false;
-    if (errno != EINTR) return true;
-  }
-  return true;
-}
-
-ssize_t readSome(int descriptor, char* target, std::size_t room) {
-  for (;;) {
-    const ssize_t count = ::read(descriptor, target, room);
-    if (count >= 0 || errno != EINTR) return count;
-  }
+  const int how = LOCK_EX | (waits ? 0 : LOCK_NB);
+  return uninterrupted([&] { return flock(descriptor_, how); }) == 0 || errno != EWOULDBLOCK;
 }
 
 void keepStandardFiles() {
