@@ -39,7 +39,7 @@ class TestTally {
   }
 
  private:
-  static constexpr std::size_t kShares = 32;
+  static constexpr std::size_t kShares = 32;  // more than usual machines have threads
 
   /// Threads seldom share one, so that they seldom wait for each other.
   struct alignas(128) Share {

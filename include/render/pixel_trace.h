@@ -8,10 +8,10 @@
 #include "render/renderer.h"
 #include "render/watched_tracer.h"
 
-/// Tells each of the observers, one after the other, what becomes of the ray through the centre
-/// of the pixel at the corner of `place`. Returns the pixel's colour, in which other samples may
-/// have a share: to the last bit that of a whole picture, unclamped. Traces on threads of its own,
-/// for as much stack as the bounces need.
+/// Tells each of the observers, one after the other, what becomes of the ray through the centre of
+/// pixel (place.left, place.bottom); width and height of `place` are given, above 0. Returns the
+/// pixel's colour, in which other samples may have a share: to the last bit that of a whole
+/// picture, unclamped. Traces on threads of its own, for as much stack as the bounces need.
 Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& place,
                  const std::vector<RayObserver*>& observers);
 

@@ -62,7 +62,8 @@ struct SamplingOptions {
   /// Uniform samples stand at multiples of 2^-30 of a pixel, so that sums with them are exact: what
   /// lies on an edge through the picture's middle stays on it.
   bool isGridExact = false;
-  double gaussianCut = 2;        ///< in sigmas; infinite: not cut but where its reach ends
+  /// In sigmas: 2, or infinite, where it goes on as far as whole pixels within 2 sigma do.
+  double gaussianCut = 2;
   bool isFilterSingle = false;   ///< a box compares places in single precision
   bool hasBorderSamples = true;  ///< pixels around the picture have samples, which count in it
 

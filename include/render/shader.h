@@ -12,8 +12,8 @@
 
 class Shader {
  public:
-  /// Of the scene, which is not owned, lights and ambient light. An automatic epsilon is chosen
-  /// here, once.
+  /// Takes lights and ambient light from `scene`, which is not owned. Chooses an automatic epsilon,
+  /// once.
   Shader(const SceneParser& scene, const RenderOptions& options);
 
   /// The ambient term: ambient light times diffuse colour. There may be none (hasAmbient).
@@ -47,6 +47,10 @@ class Shader {
   /// Whether the side that the ray sees sends back no light of lamps; and whether ambient light.
   bool isDark(double approach) const { return hasDarkSides() && approach > 0; }
   bool hasAmbient(double approach) const { return !hasBlackSides() || !isDark(approach); }
+  /// The normal on the side that lights see; 0 where it is dark.
+  Vec3d litNormal(const Vec3d& normal, double approach) const {
+    return isDark(approach) ? Vec3d() : isTurned(approach) ? -normal : normal;
+  }
   /// Whether any side is so.
   bool hasDarkSides() const { return options_.backs != RenderOptions::Backs::litAsFront; }
   bool hasBlackSides() const { return options_.backs == RenderOptions::Backs::nothing; }
@@ -79,10 +83,10 @@ class Shader {
   /// From which t on a unit ray that leaves a hit of that magnitude looks for surfaces.
   float epsilonAt(double magnitude) const {
     if (options_.epsilon.kind == Epsilon::Kind::fixed) return float(options_.epsilon.value);
-    return float(magnitude * kRounding);
+    return float(magnitude * kAdaptiveEpsilon);
   }
   /// Relative to Hit::getMagnitude, 4.7e-10: far above rounding, below the promised 1e-9.
-  static constexpr double kRounding = 0x1p-31;
+  static constexpr double kAdaptiveEpsilon = 0x1p-31;
 
   /// Those given, but the epsilon is never `automatic`, and no side is dark where `shadeBack`
   /// lights it.

@@ -1,9 +1,8 @@
 // Surface: where a ray has met something, with all that the colour there depends on; and what the
 // tracers pass on from surface to surface.
 #pragma once
-#include <vector>
-
 #include "geometry/hit.h"
+#include "math/number.h"
 #include "math/vec3.h"
 #include "shading/material.h"
 
@@ -40,9 +39,16 @@ struct LightSample {
   Vec3d direction;         ///< unit, to the light
   Vec3f color;             ///< what arrives where nothing is in the way
   double distance = 0;     ///< along `direction`, perhaps infinite
-  bool isInFront = false;  ///< n.l > 0: the surface is turned towards it, or that does not matter
+  bool isInFront = false;  ///< isLit: the side that lights see is turned towards it
   LightSample() {}         // were it defaulted, it would first clear all bytes, slowly
 };
+
+/// Whether a light in a direction reaches a surface whose normal, on the side that lights see, is
+/// `lit`: 0 where it is dark. Those behind it do where highlights are seen of them.
+template <class Number>
+MaskOf<Number> isLit(const Vec3<Number>& lit, const Vec3<Number>& direction, bool areSeenBehind) {
+  return dot(lit, areSeenBehind ? lit : direction) > 0;
+}
 
 enum class RayKind { eye, mirror, refracted };
 inline constexpr int kRayKinds = 3;
@@ -57,7 +63,7 @@ enum class Outcome {
 };
 inline constexpr int kOutcomes = 5;
 
-/// A ray to be traced, with what the recursion knows of it. An eye ray is as a new one is.
+/// A ray to be traced, with what the recursion knows of it. As it is made, it is an eye ray.
 struct TracedRay {
   Ray ray;
   double tmin = 0;              ///< it meets what lies at t > tmin

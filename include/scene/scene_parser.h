@@ -90,9 +90,9 @@ class SceneParser {
   /// The longest side of the world box of all spheres and triangles; 0 where there are none.
   double getSpan() const;
 
-  /// The thinnest closed object of transparent material that is thinner than kThinSolid, the
-  /// assignment's epsilon: rays that start so far off its front would miss its back.
-  static constexpr double kThinSolid = 0.001;
+  /// The thinnest closed object of transparent material that is thinner than kThinSolid, a hundred
+  /// times the assignment's epsilon: rays that start an epsilon off its front may miss its back.
+  static constexpr double kThinSolid = 0.1;
   const ThinSolid& getThinnestSolid() const { return thinnest_; }
 
   /// Finds out which meshes of transparent material enclose a volume, and lists all such solids.

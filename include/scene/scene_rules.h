@@ -30,7 +30,7 @@ struct SceneRules {
   bool areHighlightsDimmed = false;
   /// Highlights are seen of lights behind the surface too (PhongMaterial::Highlight::everywhere).
   bool areHighlightsEverywhere = false;
-  /// A specular colour is no highlight's, but that of a mirror.
+  /// False: materials have no highlights; a specular colour is only what leastMirror makes of it.
   bool haveHighlights = true;
   /// A specular colour longer than this is the reflective colour too, unless that is given; and,
   /// where there is an index of refraction, the transparent one.

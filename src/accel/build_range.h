@@ -22,8 +22,8 @@ inline Float4 loadFloat4(const float* p) {
   return result;
 }
 inline Float4 allFloat4(float x) { return Float4{x, x, x, x}; }
-/// These return b where a is a NaN, on every processor; where they are one instruction, compilers
-/// know.
+/// b where a is a NaN, on every processor. Compilers make one instruction of each where there is
+/// one.
 inline Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
 /// The first three lanes; the fourth becomes 0.

@@ -26,15 +26,15 @@ class BuildItems {
   /// Items to a large page.
   static constexpr std::size_t kPerLargePage = (std::size_t(1) << 21) / sizeof(BuildItem);
 
-  /// Room for `capacity` items, none of which is had before it is written.
+  /// Room for `capacity` items; memory is taken only as they are written.
   explicit BuildItems(std::size_t capacity) : memory_(capacity * sizeof(BuildItem)) {}
 
   BuildItem* data() { return static_cast<BuildItem*>(memory_.data()); }
   std::size_t count() const { return count_; }
   /// Room for `count` more, behind the others.
   BuildItem* append(std::size_t count) { return data() + std::exchange(count_, count_ + count); }
-  /// Gives back the room for more, but what is left of the last item's large page: it would be slow
-  /// to read then (build time 1.03).
+  /// Gives back unused room, but for the rest of the last item's large page: in small pages it
+  /// would be slower to read (build time 1.03).
   void trim() { memory_.shrink((count_ / kPerLargePage + 1) * kPerLargePage * sizeof(BuildItem)); }
   void add(const BuildItem& item) { *append(1) = item; }
   /// Gives back the memory of items [begin, end) as far as it fills pages. Thread-safe. Less than

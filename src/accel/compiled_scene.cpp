@@ -52,7 +52,7 @@ RowList heldRows(const RayTable& rays, bool areHeld, Arena& arena) {
   return {rows, count};
 }
 
-/// A mesh of fewer triangles is asked triangle by triangle.
+/// A mesh of fewer triangles is asked triangle by triangle: a walk takes longer than these few.
 constexpr std::uint32_t kSmallMesh = 4;
 
 Kernels kernelsOf(SimdLevel level) {
@@ -214,7 +214,7 @@ std::size_t CompiledScene::treeBytes() const {
 std::string CompiledScene::describe() const {
   std::ostringstream text;
   text << "eight-wide trees, " << nameOf(trees_->level) << "; " << trees_->meshTrees.size()
-       << " mesh trees, " << trees_->objectTrees.size() + 1 << " spaces, " << treeBytes()
+       << " mesh trees, " << trees_->objectTrees.size() + 1 << " object trees, " << treeBytes()
        << " bytes";
   return text.str();
 }

@@ -1,8 +1,8 @@
 // The kernels of streams, compiled once for each instruction set; INSTRUCTION_SET names it.
 //
-// All but what is included first stands in the instruction set's own namespace. Nothing there may
-// call an inline function from outside but those of math/lanes.h and Vec3 of lanes: the linker
-// could keep another instruction set's copy.
+// All but what is included first stands in the instruction set's own namespace. Of the functions
+// from outside that are inline, it may call only templates over the vectors of math/lanes.h: of
+// others the linker could keep another instruction set's copy.
 #include <cstdint>
 
 #if defined(__SSE2__)
@@ -24,6 +24,11 @@ using lanes::Floats;
 
 #include "geometry/lane_columns.inc"
 
+/// Of a component of a direction. One too small to divide by counts as `least`: that turns the ray
+/// by far less than boxes are widened.
+inline Doubles inverseOf(const Doubles& component, const Doubles& least) {
+  return 1 / choose(absolute(component) < absolute(least), least, component);
+}
 inline Doubles mostOf(const DoubleVector& a) { return larger(larger(a.x(), a.y()), a.z()); }
 
 #include "accel/leaf_filters.inc"

@@ -142,6 +142,7 @@ inline float floatOfBits(std::uint32_t bits) {
   return x;
 }
 
+// As countOf, kindOf and verticesOf of wide_bvh.h, which may not be called here: see kernels.cpp.
 inline int lowestBit(unsigned bits) { return __builtin_ctz(bits); }
 inline int leafCount(std::uint32_t head) { return int(head & 15); }
 inline LeafKind leafKind(std::uint32_t head) { return LeafKind(head >> 4 & 3); }

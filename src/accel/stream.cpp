@@ -2,27 +2,17 @@
 #include "accel/stream.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace accel {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kRounding = 0x1p-24;
-/// Half of what a float holds, so that what is added to it is held as well.
-constexpr float kHalfOfMost = 0x1p127f;
 
 }  // namespace
 
-float ParameterMap::below(double t) const {
-  const double x = t * scale - shift;
-  if (x > kHalfOfMost) return kHalfOfMost;
-  if (x < -kHalfOfMost) return -kInfinity;
-  return float(x - (std::fabs(x) * (2 * kRounding) + std::fabs(shift) * 0x1p-46));
-}
-
-float ParameterMap::above(double t) const { return -ParameterMap{-scale, -shift}.below(t); }
+float ParameterMap::below(double t) const { return float(boundBelow(t, scale, shift)); }
+float ParameterMap::above(double t) const { return float(boundAbove(t, scale, shift)); }
 
 Stream::Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena)
     : bvh(&tree),

@@ -28,6 +28,7 @@
 //   an edge function           64 e R D E   (sum of three products of a cross product)
 //   the determinant            48 e E E D
 //   the distance's numerator   80 e E E R
+//   where a sphere lies        128 e R       (its centre beside the ray, and along it)
 // from the standard model of rounding, every operation with a relative error of e (Higham,
 // "Accuracy and Stability of Numerical Algorithms", 2002). They hold while E >= 2^-26 R; smaller
 // triangles are all left open (E and R are at least 2^-40, so that no product vanishes), and so
@@ -43,8 +44,24 @@
 #include "accel/test_tally.h"
 #include "accel/wide_bvh.h"
 #include "geometry/ray_table.h"
+#include "math/number.h"
 
 namespace accel {
+
+/// What, rounded to a float, is surely not above t' = t * scale - shift; -infinity where floats are
+/// too small.
+template <class Number>
+Number boundBelow(const Number& t, const Number& scale, const Number& shift) {
+  constexpr double kMost = 0x1p127;  // half of what a float holds, so that sums with it are held
+  const Number x = t * scale - shift, slack = absolute(x) * 0x1p-23 + absolute(shift) * 0x1p-46;
+  const Number most = kMost, least = -__builtin_inf();
+  return choose(x > kMost, most, choose(x < -kMost, least, x - slack));
+}
+/// What is surely not below it.
+template <class Number>
+Number boundAbove(const Number& t, const Number& scale, const Number& shift) {
+  return -boundBelow(t, -scale, -shift);
+}
 
 /// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
 struct ParameterMap {
@@ -141,17 +158,17 @@ struct Stream {
   void (*askObject)(Stream& stream, std::uint32_t id, const std::uint16_t* rays, int count);
   void* context;  ///< for these two
 
-  /// For the tree, which is not empty, with memory of the arena; the call backs are still to be
-  /// set. Nothing is owned.
+  /// For the tree, which is not empty, with memory of the arena; attach is still to be called.
+  /// Nothing is owned.
   Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena);
 
-  /// Sets the call backs: Question::resolve and Question::askObject, which find `question`, not
-  /// owned, in context.
-  template <class Question>
-  void attach(Question& question) {
-    resolve = Question::resolve;
-    askObject = Question::askObject;
-    context = &question;
+  /// Sets the callbacks: Walk::resolve and Walk::askObject, which find `walk`, not owned, in
+  /// context.
+  template <class Walk>
+  void attach(Walk& walk) {
+    resolve = Walk::resolve;
+    askObject = Walk::askObject;
+    context = &walk;
   }
 
   /// Brings back the listed rays, the last that were put aside, with the bounds they now have.

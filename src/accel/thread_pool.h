@@ -18,6 +18,7 @@ class ThreadPool {
   /// to build a tree of, body runs on this one alone.
   static void run(int threads, std::size_t items, const std::function<void(ThreadPool&)>& body);
 
+  /// Fewer are sorted before threads are ready.
   static constexpr std::size_t kLeastShared = 16384;
 
   /// Calls both, side by side if a thread has nothing else to do, and returns when both have

@@ -26,10 +26,10 @@ constexpr std::uint32_t kFrameBit = 0x40000000u;
 
 /// What a leaf holds. A leaf is a run of 32-bit words:
 ///   head, then rows of n numbers each, then a row of n primitive numbers.
-/// The head is a float, an upper bound of the edges' components (triangles) or 0, whose low half is
-/// count, kind and number of vertices. Rows are not padded: a load of eight runs over into what
-/// follows, and the lanes above n are masked out. Primitive numbers have kIdBit set, so that read
-/// as a float they are no denormals, which processors handle slowly.
+/// The head is a float, an upper bound of the edges' components of triangles, at least 2^-40, whose
+/// low half is count, kind and number of vertices. Rows are not padded: a load of eight runs over
+/// into what follows, and the lanes above n are masked out. Primitive numbers have kIdBit set, so
+/// that read as a float they are no denormals, which processors handle slowly.
 ///
 /// Triangles of a mesh share vertices (a triangle of an ordinary mesh takes 22 bytes in place of
 /// 40): head; for each of eight lanes a half word, in which five bits each say where its corners
@@ -38,7 +38,7 @@ constexpr std::uint32_t kFrameBit = 0x40000000u;
 enum class LeafKind : std::uint16_t {
   meshTriangles = 0,
   looseTriangles = 1,  ///< nine rows: v0 rounded, v1 - v0 and v2 - v0 rounded
-  spheres = 2,         ///< four rows: centre rounded, radius rounded up
+  spheres = 2,         ///< four rows: centre and radius, rounded
   objects = 3          ///< no rows: anything else, asked through its virtual functions
 };
 constexpr std::uint32_t kIdBit = 0x40000000u;

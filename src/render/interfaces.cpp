@@ -204,7 +204,7 @@ bool Interfaces::dependsOnMedia(const Hit& hit) const {
 /// Surfaces as near as this to a hit belong to it: secondary rays do not see them either.
 double Interfaces::reachOf(const Hit& hit) const {
   return std::max(double(shader_->epsilonAt(hit.getMagnitude())),
-                  hit.getMagnitude() * Shader::kRounding);
+                  hit.getMagnitude() * Shader::kAdaptiveEpsilon);
 }
 
 /// Fills in `interface`, but for its tint, from the media along ray `row`, whose parameter is

@@ -20,7 +20,7 @@ namespace {
 /// units, and those of planes alone, which span nothing; but not where glass is thinner than it.
 Epsilon resolved(const Epsilon& epsilon, const SceneParser& scene) {
   if (epsilon.kind != Epsilon::Kind::automatic) return epsilon;
-  static_assert(SceneParser::kThinSolid == Epsilon::kCourse, "thinner glass is looked for");
+  static_assert(SceneParser::kThinSolid >= Epsilon::kCourse, "thinner glass is looked for");
   const double span = scene.getSpan();
   const bool hasThinGlass = scene.getThinnestSolid().thickness < Epsilon::kCourse;
   const bool isUsual = (span == 0 || (span >= 1 && span <= 1000)) && !hasThinGlass;
@@ -54,9 +54,8 @@ Vec3d Shader::ambient(const Material& material, const Hit& hit) const {
 void Shader::sampleLight(int index, const Surface& s, LightSample& light) const {
   scene_->getLight(index)->getIllumination(s.hit.getIntersectionPoint(), light.direction,
                                            light.color, light.distance);
-  const double cosine = dot(s.hit.getNormal(), light.direction), approach = approachOf(s);
-  const bool isTowards = isTurned(approach) ? cosine < 0 : cosine > 0;
-  light.isInFront = !isDark(approach) && (isTowards || scene_->hasHighlightsBehind());
+  const Vec3d lit = litNormal(s.hit.getNormal(), approachOf(s));
+  light.isInFront = isLit(lit, light.direction, scene_->hasHighlightsBehind());
 }
 
 void Shader::setShadowQuery(const Surface& s, const LightSample& light, ShadowQuery& query) const {

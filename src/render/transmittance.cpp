@@ -136,7 +136,8 @@ class ShadowFilters final : public CrossingVisitor {
   bool blocked_;
   std::vector<Crossing> crossings_;
   std::vector<ColorFilter> filters_;
-  SolidTexture::Mixture mixture_;  // kept: memory taken for each point took 1.15 of a picture
+  SolidTexture::Mixture
+      mixture_;  // kept: taking memory for each point made a picture take 1.15 times as long
 };
 
 /// Keeps the nearest crossing of a shadow ray with a surface that is opaque there.

@@ -1,5 +1,7 @@
 // WatchedTracer: before or after each step of RayTracer the observer is told what comes of it.
-// Nothing is computed here, but for a shadow ray, which is made once more to be shown.
+// Nothing is computed here, but for a shadow ray, which is made once more to be shown. Where there
+// is something to tell between the steps of RayTracer's meet, light and branch, these take the same
+// steps themselves: who changes the ones changes the others.
 //
 // An eye ray is told of where it is traced, as nobody continues it. A secondary ray is told of
 // where it branches off: its kind and its factor are known there, and so is why there is none.

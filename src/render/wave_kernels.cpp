@@ -41,7 +41,7 @@ inline void sampleLight(const LightNumbers& numbers, const WaveSurfaces& surface
                  load(surfaces.point, k), direction, color, distance);
     }
     const DoubleVector lit = load(surfaces.lit, k);  // 0 on a dark side, which no light reaches
-    const Mask isReached = dot(lit, numbers.isSeenBehind ? lit : direction) > 0;
+    const Mask isReached = isLit(lit, direction, numbers.isSeenBehind);
     unsigned bits = lanesOf(surfaces.count - k) & isReached.bits();
     compressRow(direction, bits, light.direction, light.count);
     compressRow(color, bits, light.color, light.count);

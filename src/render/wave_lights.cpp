@@ -39,8 +39,7 @@ void WaveTracer::sampleLight(int index, const WaveGeneration& generation,
       Vec3f color;
       double distance;
       asked.getIllumination(rowOf(surfaces.point, k), direction, color, distance);
-      const Vec3d lit = rowOf(surfaces.lit, k);
-      if (!(dot(lit, numbers.isSeenBehind ? lit : direction) > 0)) continue;
+      if (!isLit(rowOf(surfaces.lit, k), direction, numbers.isSeenBehind)) continue;
       light.surface[light.count] = std::uint16_t(k);
       setRowOf(light.direction, light.count, direction);
       setRowOf(light.color, light.count, color);

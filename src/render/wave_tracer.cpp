@@ -20,8 +20,9 @@
 
 namespace {
 
-/// Fewer rays than this have too little in common.
+/// Fewer rays than this fill no vector: a table of them would take more than it saves.
 constexpr int kFewRays = 4;
+/// Each generation keeps its tables while those after it are traced, up to half a megabyte.
 constexpr int kMostGenerations = 64;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -325,8 +326,6 @@ void WaveTracer::setSides(WaveSurfaces& surfaces) {
   for (double*& column : surfaces.lit) column = arena_.take<double>(std::size_t(surfaces.count));
   for (int k = 0; k < surfaces.count; ++k) {
     const Vec3d normal = rowOf(surfaces.normal, k);
-    const double approach = dot(normal, rowOf(surfaces.view, k));
-    const Vec3d lit = shader.isTurned(approach) ? -normal : normal;
-    setRowOf(surfaces.lit, k, shader.isDark(approach) ? Vec3d() : lit);
+    setRowOf(surfaces.lit, k, shader.litNormal(normal, dot(normal, rowOf(surfaces.view, k))));
   }
 }

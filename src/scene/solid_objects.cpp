@@ -25,15 +25,15 @@ double determinantOf(const Matrix& matrix) {
 }  // namespace
 
 void visitTransparent(const Object3D& object, const Matrix& toWorld, const VisitSolid& visit) {
-  if (const auto* group = dynamic_cast<const Group*>(&object)) {
+  if (const auto* group = exactly<Group>(&object)) {
     for (const Object3D* member : group->getObjects()) {
       if (member) visitTransparent(*member, toWorld, visit);
     }
-  } else if (const auto* transform = dynamic_cast<const Transform*>(&object)) {
+  } else if (const auto* transform = exactly<Transform>(&object)) {
     visitTransparent(*transform->getObject(), toWorld * transform->getMatrix(), visit);
-  } else if (const auto* sphere = dynamic_cast<const Sphere*>(&object)) {
+  } else if (const auto* sphere = exactly<Sphere>(&object)) {
     if (sphere->getMaterial()->isTransparent()) visit(object, nullptr, toWorld);
-  } else if (const auto* mesh = dynamic_cast<const TriangleMesh*>(&object)) {
+  } else if (const auto* mesh = exactly<TriangleMesh>(&object)) {
     if (mesh->getMaterial()->isTransparent()) visit(object, &mesh->getGeometry(), toWorld);
   }
 }

@@ -27,7 +27,7 @@ constexpr double kLargest = 0x1p200, kSmallest = 0x1p-200;
 
 /// True where squares and cubes of a box's numbers neither overflow nor underflow; false for an
 /// empty box.
-bool isMeasurable(const BoundingBox& box) {
+bool areCubesInRange(const BoundingBox& box) {
   const double largest = std::max(maxAbs(box.low()), maxAbs(box.high()));
   return largest < kLargest && box.longestSide() > kSmallest;
 }
@@ -58,7 +58,7 @@ FlatScene::FlatScene(const Object3D& root) {
     BoundingBox own;
     each.object->addBounds(Matrix(), own);
     const BoundingBox box = boxOf(each, 0, each.faceCount());
-    each.isPlaced = each.object->isBounded() && isMeasurable(own) && isMeasurable(box);
+    each.isPlaced = each.object->isBounded() && areCubesInRange(own) && areCubesInRange(box);
     if (each.isPlaced) box_.extend(box);
   }
   boundErrors();
