@@ -121,7 +121,7 @@ struct CompiledScene::Trees {
       add(tree, inside, range);
       tree.finish(threads);
       error = tree.error();
-      if (range.fits(tree.bvh().scale)) {
+      if (tree.fits(range)) {
         member.kind = TreeMember::Kind::transformedTree;
         member.objectTree = &tree;
       }
@@ -205,9 +205,9 @@ void CompiledScene::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& 
 SimdLevel CompiledScene::simdLevel() const { return trees_->level; }
 
 std::size_t CompiledScene::treeBytes() const {
-  std::size_t bytes = trees_->root.bvh().bytes();
+  std::size_t bytes = trees_->root.bytes();
   for (const auto& tree : trees_->meshTrees) bytes += tree.second.bvh().bytes();
-  for (const ObjectTree& tree : trees_->objectTrees) bytes += tree.bvh().bytes();
+  for (const ObjectTree& tree : trees_->objectTrees) bytes += tree.bytes();
   return bytes;
 }
 

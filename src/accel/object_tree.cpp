@@ -3,9 +3,8 @@
 //
 //   1. Each member gets its box: a mesh that of its tree, a Transform the box of the moved corners
 //      of its inside's box. Without a box, or with numbers whose squares leave the range of double,
-//      a member is asked one by one; triangles without area are left out. So are a few that are far
-//      larger than all others, or far off: beside a ground of 1e6, floats could not tell the others
-//      apart (2,000 spheres of 0.05 on one took 200 times as long to trace).
+//      a member is asked one by one; triangles without area are left out. Those that are very small
+//      beside the space get trees of their own (gathered_members.cpp).
 //   2. The tree's normalised space is chosen: the middle of all boxes is the anchor, and a power of
 //      two scales the longest side to 1 to 2. Boxes are rounded outwards there, to float.
 //   3. The builder makes the nodes; leaves are written here: spheres and triangles in numbers that
@@ -50,6 +49,7 @@ BoundingBox boxOf(const TreeMember& member) {
       return member.objectTree->box().moved(member.transform().getMatrix());
     case TreeMember::Kind::plain:
     case TreeMember::Kind::shape:
+    case TreeMember::Kind::tree:  // these are not there yet
       member.object->addBounds(Matrix(), box);
   }
   return box;
@@ -182,6 +182,7 @@ const Object3D* primitiveOf(const TreeMember& member) {
 
 /// True for a plane or a sphere, perhaps under a Transform.
 bool isShape(const TreeMember& member) {
+  if (member.kind != TreeMember::Kind::plain) return false;
   const Object3D* primitive = primitiveOf(member);
   return exactly<Sphere>(primitive) || exactly<Plane>(primitive);
 }
@@ -209,45 +210,6 @@ ShapeNumbers shapeOf(const TreeMember& member) {
   }
   for (int axis = 0; axis < 3; ++axis) shape.place[axis] = place[axis];
   return shape;
-}
-
-/// How far a box reaches from a point, along an axis.
-double reachFrom(const Vec3d& point, const BoundingBox& box) {
-  return std::max(maxAbs(box.low() - point), maxAbs(box.high() - point));
-}
-
-/// The middle one of all centres, on each axis by itself.
-Vec3d middleOf(const std::vector<BoxedMember>& boxed) {
-  Vec3d middle;
-  std::vector<double> places(boxed.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    std::transform(boxed.begin(), boxed.end(), places.begin(), [axis](const BoxedMember& each) {
-      const BoundingBox& box = each.box;
-      return box.low()[axis] + 0.5 * (box.high()[axis] - box.low()[axis]);
-    });
-    const auto place = places.begin() + std::ptrdiff_t(places.size() / 2);
-    std::nth_element(places.begin(), place, places.end());
-    middle[axis] = *place;
-  }
-  return middle;
-}
-
-/// The least reach from the middle of those, at most kFewObjects, that reach kFarOut times as far
-/// as all the others; infinite where there are none.
-double farOut(const Vec3d& middle, const std::vector<BoxedMember>& boxed) {
-  constexpr double kFarOut = 256;
-  double most[kFewObjects + 1] = {};  // the farthest, falling
-  for (const BoxedMember& each : boxed) {
-    double reach = reachFrom(middle, each.box);
-    for (double& other : most) {
-      if (reach > other) std::swap(reach, other);
-    }
-  }
-  double limit = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < kFewObjects; ++k) {
-    if (most[k] > kFarOut * most[k + 1]) limit = most[k];
-  }
-  return limit;
 }
 
 }  // namespace
@@ -300,11 +262,9 @@ void ObjectTree::finish(int threads) {
   leaveOut(boxed, [&](const BoxedMember& each) {
     return areFew || (areFewShapes && isShape(members_[each.id]));
   });
-  if (boxed.size() > kFewObjects) {
-    const Vec3d middle = middleOf(boxed);
-    const double limit = farOut(middle, boxed);
-    leaveOut(boxed, [&](const BoxedMember& each) { return reachFrom(middle, each.box) >= limit; });
-  }
+  gatherSmall(boxed, threads);
+  const bool areFewBesideTrees = !gathered_.empty() && boxed.size() <= kFewObjects;
+  leaveOut(boxed, [&](const BoxedMember&) { return areFewBesideTrees; });
   if (!boxed.empty()) build(std::move(boxed), threads);
   // Large ones need not be asked for rays that a small one before them has stopped.
   std::sort(direct_.begin(), direct_.end(), [](const DirectMember& a, const DirectMember& b) {

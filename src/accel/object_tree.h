@@ -9,6 +9,7 @@
 #pragma once
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "accel/mesh_tree.h"
@@ -50,7 +51,8 @@ struct TreeMember {
     shape,            ///< a plane or a sphere, or a Transform of one
     mesh,             ///< a TriangleMesh with a tree
     transformedMesh,  ///< a Transform of one
-    transformedTree   ///< a Transform of what has an ObjectTree of its own
+    transformedTree,  ///< a Transform of what has an ObjectTree of its own
+    tree              ///< several objects of this space that have one: no object, no order
   };
   const Object3D* object;  // not owned
   union {
@@ -92,6 +94,10 @@ class ObjectTree : public AskedTree {
   bool isBounded() const { return bounded_; }
   const BoundingBox& box() const { return box_; }
   const TransformError& error() const { return error_; }
+  /// True where the rays of a range can be told by all its trees.
+  bool fits(const RayRange& range) const;
+  /// The memory of all its trees.
+  std::size_t bytes() const;
   const WideBvh& bvh() const override { return bvh_; }
   LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
   void getNumbers(const std::uint32_t* words, int lane, double* numbers, int stride) const override;
@@ -110,12 +116,16 @@ class ObjectTree : public AskedTree {
   void askAlone(const BoxedMember& each);
   template <class IsOut>
   void leaveOut(std::vector<BoxedMember>& boxed, const IsOut& isOut);
+  void gatherSmall(std::vector<BoxedMember>& boxed, int threads);
+  /// Makes a tree of the members, and a member of the tree, which it returns.
+  BoxedMember gather(const std::vector<std::uint32_t>& ids, int threads);
   void build(std::vector<BoxedMember> boxed, int threads);
 
   std::vector<TreeMember> members_;
   std::vector<ShapeNumbers> shapes_;  // of members outside of the tree, in scene order
   std::vector<DirectMember> direct_;  // the other members outside of it, small ones first
   std::deque<ShapeNumbers> inTree_;   // of Transforms in leaves of objects
+  std::vector<std::unique_ptr<ObjectTree>> gathered_;  // of members small beside the whole space
   WideBvh bvh_;
   BoundingBox box_;
   TransformError error_;  // of all members

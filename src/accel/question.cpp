@@ -23,7 +23,7 @@ RowList Question::rowsAt(const BoxNumbers& box, const RowList& rows) const {
   return {met, kernels_.rowsAtBox(box, rays_, rows, met)};
 }
 
-/// The depth of recursion is that of the Transforms in the scene.
+/// The depth of recursion is that of the Transforms in the scene, and of trees in trees.
 void Question::askMember(const TreeMember& member, const RowList& rows) {
   if (rows.count == 0) return;
   const Arena::Frame frame(arena_);
@@ -37,6 +37,8 @@ void Question::askMember(const TreeMember& member, const RowList& rows) {
     case TreeMember::Kind::transformedMesh:
     case TreeMember::Kind::transformedTree:
       return askInside(member, rows);
+    case TreeMember::Kind::tree:
+      return member.objectTree->ask(*this, rows);
   }
 }
 
