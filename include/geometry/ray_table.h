@@ -140,38 +140,28 @@ class CrossingsOfRow : public CrossingVisitor {
   RowCrossingVisitor& visitor_;
 };
 
-/// What answers the questions of many rays in one call. Rays that are asked together visit a node
-/// of a tree together, which then costs less than once for each. Each answer is that of the ray
-/// alone. All are const while rays are traced; `arena` is the caller's, for this thread.
+/// Answers the questions of many rays in one call: by default through an object's own functions,
+/// one ray after the other. Rays that are asked together visit a node of a tree together, which
+/// then costs less than once for each. Each answer is that of the ray alone. All are const while
+/// rays are traced; `arena` is the caller's, for this thread.
 class BatchGeometry {
  public:
+  /// Not owned.
+  explicit BatchGeometry(const Object3D& geometry) : geometry_(&geometry) {}
   virtual ~BatchGeometry() = default;
 
   /// Object3D::intersect for all rays of the table. Where something is found, the ray's tmax
   /// becomes its t, and its row of `hits`, in which nothing was found before, is set.
-  virtual void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const = 0;
+  virtual void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const;
   /// Object3D::occluded for all rays of the table; stores each answer in blocked[row].
-  virtual void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const = 0;
+  virtual void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const;
   /// Object3D::visitCrossings for all rays of the table, but what a ray crosses nowhere at t < tmax
   /// may be left out: each object is told of with all its crossings, before and behind tmax, or not
   /// at all. tmin is taken no notice of.
   virtual void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
-                                 Arena& arena) const = 0;
+                                 Arena& arena) const;
   /// The instruction set that it uses, one that the processor has.
-  virtual SimdLevel simdLevel() const = 0;
-};
-
-/// Answers many rays through an Object3D's own functions, one after the other.
-class RayByRay : public BatchGeometry {
- public:
-  /// Not owned.
-  explicit RayByRay(const Object3D& geometry) : geometry_(&geometry) {}
-
-  void intersectAll(const RayTable& rays, HitTable& hits, Arena& arena) const override;
-  void occludedAll(const RayTable& rays, bool* blocked, Arena& arena) const override;
-  void visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
-                         Arena& arena) const override;
-  SimdLevel simdLevel() const override { return availableSimd(SimdLevel::automatic); }
+  virtual SimdLevel simdLevel() const { return availableSimd(SimdLevel::automatic); }
 
  private:
   const Object3D* geometry_;

@@ -34,9 +34,15 @@ class Transform : public Object3D {
   void toParent(const Ray& ray, Hit& hit) const;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
-  bool occluded(const Ray& ray, double tmin, double tmax) const override;
-  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
-  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
+  bool occluded(const Ray& ray, double tmin, double tmax) const override {
+    return object_->occluded(toObject(ray), tmin, tmax);
+  }
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override {
+    object_->visitCrossings(toObject(ray), visitor);
+  }
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override {
+    object_->addBounds(toWorld * matrix_, box);
+  }
   bool isBounded() const override { return object_->isBounded(); }
 
  private:

@@ -13,7 +13,11 @@ class CookTorranceMaterial : public Material {
   /// roughness > 0, without unit: of Beckmann the root mean square slope m, of GGX its alpha.
   CookTorranceMaterial(const Vec3f& diffuseColor, const Fresnel& fresnel, float roughness,
                        Distribution distribution, const Vec3f& transparentColor,
-                       const Vec3f& reflectiveColor, float indexOfRefraction);
+                       const Vec3f& reflectiveColor, float indexOfRefraction)
+      : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
+        fresnel_(fresnel),
+        roughness_(roughness),
+        distribution_(distribution) {}
 
   float getRoughness() const { return roughness_; }
   Distribution getDistribution() const { return distribution_; }

@@ -8,6 +8,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "math/functions.h"
@@ -40,37 +41,26 @@ class SolidTexture : public Material {
   SolidTexture(const char* kind, const Matrix& toTexture, const Component& first,
                const Component& second, Pattern weightOfSecond);
 
-  /// What a texture comes down to at a point: plain materials. Who asks for many points keeps one,
-  /// and so its memory.
-  class Mixture {
-   public:
-    auto begin() const { return plain_.begin(); }
-    auto end() const { return plain_.end(); }
-    std::size_t size() const { return plain_.size(); }
-    const WeightedMaterial& operator[](std::size_t i) const { return plain_[i]; }
-
-   private:
-    friend class SolidTexture;
-
+  /// What mixAt works on: who asks for many points keeps one, and so its memory.
+  struct Mixture {
     /// A component that is still to be looked at, and its share.
     struct Waiting {
       Component component;
       double weight;
     };
-    void add(const Component& component, double weight);
-
-    std::vector<WeightedMaterial> plain_;
-    std::vector<Waiting> waiting_;  // each component once, by rising place
+    std::vector<WeightedMaterial> plain;
+    std::vector<Waiting> waiting;  ///< each component once, by rising place; none in the end
   };
 
-  /// Sets `mixture` to the plain materials at a point of the world, each once, latest place first;
-  /// their weights add up to 1 but for rounding. Never empty. Looks at each texture below this one
-  /// once, in however many ways it may be reached, and takes no stack.
-  void mixAt(const Vec3d& point, Mixture& mixture) const;
-  Mixture materialsAt(const Vec3d& point) const {
+  /// The plain materials that the texture comes down to at a point of the world, each once, latest
+  /// place first, owned by `mixture`; their weights add up to 1 but for rounding. Never empty.
+  /// Looks at each texture below this one once, in however many ways it is reached, and takes no
+  /// stack.
+  const std::vector<WeightedMaterial>& mixAt(const Vec3d& point, Mixture& mixture) const;
+  std::vector<WeightedMaterial> materialsAt(const Vec3d& point) const {
     Mixture mixture;
     mixAt(point, mixture);
-    return mixture;
+    return std::move(mixture.plain);
   }
 
   /// The mean of the components' light, by weight, at the point that was hit.

@@ -16,8 +16,10 @@ class WardMaterial : public Material {
 
   /// A surface sends back no more than it gets where diffuseColor + specularColor <= 1.
   WardMaterial(const Vec3f& diffuseColor, const Vec3f& specularColor, const Grain& grain,
-               const Vec3f& transparentColor, const Vec3f& reflectiveColor,
-               float indexOfRefraction);
+               const Vec3f& transparentColor, const Vec3f& reflectiveColor, float indexOfRefraction)
+      : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
+        specularColor_(specularColor),
+        grain_{grain.roughnessX, grain.roughnessY, normalize(grain.tangent)} {}
 
   /// RGB factors of the highlight; where black there is none.
   Vec3f getSpecularColor() const { return specularColor_; }

@@ -139,7 +139,7 @@ struct CompiledScene::Trees {
 };
 
 CompiledScene::CompiledScene(const Object3D& root, int threads, SimdLevel simd, TestTally* tally)
-    : root_(&root) {
+    : BatchGeometry(root), root_(&root) {
   auto trees = std::make_unique<Trees>(availableSimd(simd), threads, tally);
   trees->add(trees->root, &root, {});
   trees->root.finish(threads);

@@ -44,10 +44,7 @@ std::vector<std::uint32_t> numberPositions(const std::vector<Vec3f>& vertices) {
 
 MeshGeometry::MeshGeometry(std::vector<Vec3f> vertices, std::vector<Face> faces,
                            const Vec3d& origin)
-    : origin_(origin),
-      isFar_(!(origin == kZero)),
-      vertices_(std::move(vertices)),
-      faces_(std::move(faces)) {
+    : origin_(origin), vertices_(std::move(vertices)), faces_(std::move(faces)) {
   runs_.resize((faces_.size() + kRunFaces - 1) / kRunFaces);
   constexpr std::size_t kRunsAtOnce = 256;  // some 0.2 ms of work
   const std::size_t shares = (runs_.size() + kRunsAtOnce - 1) / kRunsAtOnce;

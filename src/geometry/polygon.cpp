@@ -116,25 +116,29 @@ bool isConvex(const std::vector<Point>& points) {
   return changes + (direction != firstDirection) <= 2;
 }
 
+/// A box, its sides included.
+struct Box {
+  Point low, high;
+
+  bool meets(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y;
+  }
+};
+
+Box boxAround(const Point& a, const Point& b, const Point& c) {
+  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
+}
+
 /// A side of the outline, and the box around it.
 struct Side {
   Point a, b;
-  float left, right, low, high;
-
-  Side(const Point& from, const Point& to)
-      : a(from),
-        b(to),
-        left(std::min(a.x, b.x)),
-        right(std::max(a.x, b.x)),
-        low(std::min(a.y, b.y)),
-        high(std::max(a.y, b.y)) {}
+  Box box;
 
   /// True where the two have a point inside of both in common, and are not on one line.
   bool crosses(const Side& other) const {
-    if (right < other.left || other.right < left || high < other.low || other.high < low) {
-      return false;
-    }
-    return turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
+    return box.meets(other.box) && turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
            turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
   }
 };
@@ -143,12 +147,14 @@ struct Side {
 bool crossesItself(const std::vector<Point>& points) {
   std::vector<Side> sides;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    sides.emplace_back(points[k], points[(k + 1) % points.size()]);
+    const Point &a = points[k], &b = points[(k + 1) % points.size()];
+    sides.push_back({a, b, boxAround(a, b, b)});
   }
   std::sort(sides.begin(), sides.end(),
-            [](const Side& one, const Side& other) { return one.left < other.left; });
+            [](const Side& one, const Side& other) { return one.box.low.x < other.box.low.x; });
   for (auto side = sides.begin(); side != sides.end(); ++side) {
-    for (auto other = side + 1; other != sides.end() && other->left <= side->right; ++other) {
+    const float right = side->box.high.x;
+    for (auto other = side + 1; other != sides.end() && other->box.low.x <= right; ++other) {
       if (side->crosses(*other)) return true;
     }
   }
@@ -159,10 +165,12 @@ bool crossesItself(const std::vector<Point>& points) {
 class EarCutter {
  public:
   EarCutter(std::vector<Point> points, std::vector<OutlineTriangle>& triangles)
-      : points_(std::move(points)), triangles_(triangles) {
+      : points_(std::move(points)), triangles_(triangles), rejected_(points_.size()) {
     const auto count = std::uint32_t(points_.size());
     for (std::uint32_t k = 0; k < count; ++k) {
       ring_.push_back({(k + count - 1) % count, (k + 1) % count});
+      isReflex_.push_back(turnAt(k) <= 0);
+      if (isReflex_[k]) reflex_.push_back({points_[k], k});
     }
   }
 
@@ -173,7 +181,6 @@ class EarCutter {
     };
     const auto least = std::min_element(points_.begin(), points_.end(), isLess);
     std::uint32_t at = std::uint32_t(least - points_.begin());
-    findReflex();
     std::size_t left = points_.size(), passed = 0;
     while (left > 3) {
       // All the way around no ear: then corners on a line, which leave no area behind.
@@ -207,29 +214,15 @@ class EarCutter {
     return turn(points_[ring_[at].before], points_[at], points_[ring_[at].next]);
   }
 
-  void findReflex() {
-    isReflex_.resize(points_.size());
-    rejected_.resize(points_.size());
-    for (std::uint32_t k = 0; k < points_.size(); ++k) {
-      isReflex_[k] = turnAt(k) <= 0;
-      if (isReflex_[k]) reflex_.push_back({points_[k], k});
-    }
-  }
-
   bool isEar(std::uint32_t at, bool mayBeFlat) const {
     const int turned = turnAt(at);
-    if (turned < 0 || (turned == 0 && !mayBeFlat)) return false;
-    if (turned == 0) return true;
+    if (turned <= 0) return turned == 0 && mayBeFlat;
     const std::uint32_t before = ring_[at].before, next = ring_[at].next;
     const Point ear[] = {points_[before], points_[at], points_[next]};
-    const float left = std::min({ear[0].x, ear[1].x, ear[2].x}),
-                right = std::max({ear[0].x, ear[1].x, ear[2].x}),
-                low = std::min({ear[0].y, ear[1].y, ear[2].y}),
-                high = std::max({ear[0].y, ear[1].y, ear[2].y});
+    const Box box = boxAround(ear[0], ear[1], ear[2]);
     return std::none_of(reflex_.begin(), reflex_.end(), [&](const Reflex& reflex) {
       const auto [p, k] = reflex;
-      if (p.x < left || p.x > right || p.y < low || p.y > high) return false;
-      if (k == before || k == at || k == next) return false;
+      if (!box.meets({p, p}) || k == before || k == at || k == next) return false;
       return intrudes(k, ear, mayBeFlat);
     });
   }

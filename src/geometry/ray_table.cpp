@@ -73,7 +73,7 @@ void HitTable::setRow(int row, const Hit& hit, std::uint32_t place) {
   setTexturePlace(row, hit.getTexturePlace());
 }
 
-void RayByRay::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const {
+void BatchGeometry::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const {
   for (int row = 0; row < rays.count; ++row) {
     Hit hit(rays.tmax[row]);
     if (!geometry_->intersect(rays.rayOf(row), hit, rays.tmin[row])) continue;
@@ -82,13 +82,14 @@ void RayByRay::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const 
   }
 }
 
-void RayByRay::occludedAll(const RayTable& rays, bool* blocked, Arena&) const {
+void BatchGeometry::occludedAll(const RayTable& rays, bool* blocked, Arena&) const {
   for (int row = 0; row < rays.count; ++row) {
     blocked[row] = geometry_->occluded(rays.rayOf(row), rays.tmin[row], rays.tmax[row]);
   }
 }
 
-void RayByRay::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor, Arena&) const {
+void BatchGeometry::visitAllCrossings(const RayTable& rays, RowCrossingVisitor& visitor,
+                                      Arena&) const {
   for (int row = 0; row < rays.count; ++row) {
     CrossingsOfRow crossings(row, visitor);
     geometry_->visitCrossings(rays.rayOf(row), crossings);

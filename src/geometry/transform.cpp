@@ -29,15 +29,3 @@ bool Transform::intersect(const Ray& ray, Hit& hit, double tmin) const {
   toParent(ray, hit);
   return true;
 }
-
-bool Transform::occluded(const Ray& ray, double tmin, double tmax) const {
-  return object_->occluded(toObject(ray), tmin, tmax);
-}
-
-void Transform::visitCrossings(const Ray& ray, CrossingVisitor& visitor) const {
-  object_->visitCrossings(toObject(ray), visitor);
-}
-
-void Transform::addBounds(const Matrix& toWorld, BoundingBox& box) const {
-  object_->addBounds(toWorld * matrix_, box);
-}

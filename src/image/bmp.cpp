@@ -17,14 +17,14 @@ std::uint64_t strideOf(std::uint64_t width, unsigned bits) { return (width * bit
 
 class BmpReader {
  public:
-  BmpReader(const Bytes& bytes, const std::string& name) : bytes_(bytes), reader_(bytes, name) {}
+  BmpReader(const Bytes& bytes, const std::string& name) : reader_(bytes, name) {}
 
   Image read() {
     const std::uint8_t* const head = reader_.take(kFileHead, "file head");
     const std::uint32_t start = littleEndian32(head + 10);
     readInfo(reader_.take(kInfoHead, "information head"));
     readPalette();
-    reader_.check(start >= reader_.position() && start <= bytes_.size(),
+    reader_.check(start >= reader_.position() && start - reader_.position() <= reader_.remaining(),
                   "expected the pixels to begin behind the heads and in the file, found byte ",
                   start);
     reader_.take(start - reader_.position(), "gap before the pixels");
@@ -89,7 +89,6 @@ class BmpReader {
     return reader_.entryAt(*pixel, palette_);
   }
 
-  const Bytes& bytes_;
   ByteReader reader_;
   std::uint32_t infoSize_ = 0, width_ = 0, height_ = 0, colors_ = 0;
   unsigned bits_ = 0;

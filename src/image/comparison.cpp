@@ -22,29 +22,17 @@ double differenceOf(float e, float a) {
   return difference * 255 / std::max(1.0, std::fabs(double(e)));
 }
 
-/// The differences of the samples of two pictures, place by place.
-class Differences {
- public:
-  Differences(const ReadPicture& expected, const ReadPicture& actual)
-      : expected_(expected),
-        actual_(actual),
-        areExact_(expected.exact.Width() > 0 && actual.exact.Width() > 0) {}
-
-  /// At column x of the row that is y-th from the top, which both have.
-  std::array<double, 3> at(int x, int y) const {
-    const int ye = expected_.image.Height() - 1 - y, ya = actual_.image.Height() - 1 - y;
-    if (areExact_) {
-      const Vec3f e = expected_.exact.getPixel(x, ye), a = actual_.exact.getPixel(x, ya);
-      return {differenceOf(e.r(), a.r()), differenceOf(e.g(), a.g()), differenceOf(e.b(), a.b())};
-    }
-    const Rgb8 e = expected_.image.getPixel(x, ye), a = actual_.image.getPixel(x, ya);
-    return {std::fabs(e.r - a.r), std::fabs(e.g - a.g), std::fabs(e.b - a.b)};
+/// Of the samples at column x of the row that is y-th from the top, which both pictures have.
+std::array<double, 3> differencesAt(int x, int y, const ReadPicture& expected,
+                                    const ReadPicture& actual) {
+  const int ye = expected.image.Height() - 1 - y, ya = actual.image.Height() - 1 - y;
+  if (expected.exact.Width() > 0 && actual.exact.Width() > 0) {
+    const Vec3f e = expected.exact.getPixel(x, ye), a = actual.exact.getPixel(x, ya);
+    return {differenceOf(e.r(), a.r()), differenceOf(e.g(), a.g()), differenceOf(e.b(), a.b())};
   }
-
- private:
-  const ReadPicture &expected_, &actual_;
-  const bool areExact_;
-};
+  const Rgb8 e = expected.image.getPixel(x, ye), a = actual.image.getPixel(x, ya);
+  return {std::fabs(e.r - a.r), std::fabs(e.g - a.g), std::fabs(e.b - a.b)};
+}
 
 /// Counts the pixel, which is over the tolerance, and makes the box as large as it takes.
 void addOver(int x, int y, Comparison& result) {
@@ -88,11 +76,10 @@ Comparison compare(const ReadPicture& expected, const ReadPicture& actual, int t
   }
   Comparison result;
   result.pixels = std::size_t(width) * std::size_t(height);
-  const Differences differences(expected, actual);
   double sum = 0, squares = 0;  // of bytes exact: 65025 * 3 * 2^32 is below 2^53
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const std::array<double, 3> samples = differences.at(x, y);
+      const std::array<double, 3> samples = differencesAt(x, y, expected, actual);
       for (const double difference : samples) {
         sum += difference;
         squares += difference * difference;
@@ -111,13 +98,12 @@ Comparison compare(const ReadPicture& expected, const ReadPicture& actual, int t
 
 Image differencePicture(const ReadPicture& expected, const ReadPicture& actual) {
   const Image &e = expected.image, &a = actual.image;
-  const Differences differences(expected, actual);
   Image picture(std::max(e.Width(), a.Width()), std::max(e.Height(), a.Height()));
   for (int y = 0; y < picture.Height(); ++y) {
     for (int x = 0; x < picture.Width(); ++x) {
       Rgb8 pixel;
       if (holds(e, x, y) && holds(a, x, y)) {
-        const std::array<double, 3> samples = differences.at(x, y);
+        const std::array<double, 3> samples = differencesAt(x, y, expected, actual);
         pixel = {enlarged(samples[0]), enlarged(samples[1]), enlarged(samples[2])};
       } else if (holds(e, x, y) || holds(a, x, y)) {
         pixel = kOnlyInOne;

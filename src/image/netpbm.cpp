@@ -127,8 +127,7 @@ class NetpbmReader {
   /// Of either byte order, on a machine of either.
   float takeFloat() {
     const std::uint8_t* const b = reader_.take(4, "sample");
-    const std::uint8_t turned[4] = {b[3], b[2], b[1], b[0]};
-    const std::uint32_t bits = bigEndian32(isLowFirst_ ? turned : b);
+    const std::uint32_t bits = isLowFirst_ ? littleEndian32(b) : bigEndian32(b);
     float value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return value;

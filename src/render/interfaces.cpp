@@ -181,7 +181,7 @@ bool Interfaces::intersect(const Ray& ray, double tmin, float index, Hit& hit, I
   RayTable rays(arena, 1, true);
   rays.setRow(0, ray, tmin, hit.getT());
   HitTable hits(arena, 1);
-  Walk{*this, RayByRay(*geometry_), rays, hits, &interface, arena, hit.getT(), passed}.run();
+  Walk{*this, BatchGeometry(*geometry_), rays, hits, &interface, arena, hit.getT(), passed}.run();
   if (!hits.isFound(0)) return false;
   hit = hits.hitOf(0, rays.tmax[0]);
   return true;

@@ -29,9 +29,8 @@ bool filterLess(const ColorFilter& a, const ColorFilter& b) {
 Vec3f transparencyAt(const Material& material, const Vec3d& point, SolidTexture::Mixture& mixture) {
   const SolidTexture* const texture = material.asTexture();
   if (!texture) return material.getTransparentColor();
-  texture->mixAt(point, mixture);
   Vec3d sum;
-  for (const WeightedMaterial& each : mixture) {
+  for (const WeightedMaterial& each : texture->mixAt(point, mixture)) {
     sum += each.weight * Vec3d(each.material->getTransparentColor());
   }
   return Vec3f(sum);

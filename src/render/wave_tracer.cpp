@@ -219,8 +219,9 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
         mixtures = arena_.take<Vec3d>(std::size_t(rays.count));
         std::fill(mixtures, mixtures + rays.count, Vec3d());
       }
-      texture->mixAt(rowOf(hits.point, row), mixture);
-      for (const WeightedMaterial& component : mixture) add(row, component, true);
+      for (const WeightedMaterial& component : texture->mixAt(rowOf(hits.point, row), mixture)) {
+        add(row, component, true);
+      }
     } else {
       add(row, {hits.material[row], 1}, false);
     }

@@ -57,7 +57,7 @@ class WaveTracer {
   const BatchGeometry& batches() const { return batches_ ? *batches_ : rayByRay_; }
 
   const RayTracer& tracer_;       // not owned
-  const RayByRay rayByRay_;       // the tracer's geometry
+  const BatchGeometry rayByRay_;  // the tracer's geometry
   const BatchGeometry* batches_;  // the same, where it answers many rays itself; else null
   RayCounts* counts_;             // not owned; may be null
   const WaveKernels& kernels_;

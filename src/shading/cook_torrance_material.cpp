@@ -14,15 +14,6 @@
 
 #include "math/functions.h"
 
-CookTorranceMaterial::CookTorranceMaterial(const Vec3f& diffuseColor, const Fresnel& fresnel,
-                                           float roughness, Distribution distribution,
-                                           const Vec3f& transparentColor,
-                                           const Vec3f& reflectiveColor, float indexOfRefraction)
-    : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
-      fresnel_(fresnel),
-      roughness_(roughness),
-      distribution_(distribution) {}
-
 Vec3f CookTorranceMaterial::Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
                                   const Vec3f& lightColor) const {
   const Vec3d& n = hit.getNormal();

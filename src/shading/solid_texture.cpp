@@ -13,18 +13,23 @@
 
 #include <utility>
 
+namespace {
+
 /// A weight of 0, as one that has become too small for a double, lets nobody wait. The new one
-/// finds its place from the end, where it mostly is: both components are listed shortly before.
-void SolidTexture::Mixture::add(const Component& component, double weight) {
+/// finds its place from the end, where it mostly is: components are listed shortly before.
+void addShare(const SolidTexture::Component& component, double weight,
+              std::vector<SolidTexture::Mixture::Waiting>& waiting) {
   if (!(weight > 0)) return;
-  auto at = waiting_.end();
-  while (at != waiting_.begin() && (at - 1)->component.place > component.place) --at;
-  if (at != waiting_.begin() && (at - 1)->component.place == component.place) {
+  auto at = waiting.end();
+  while (at != waiting.begin() && (at - 1)->component.place > component.place) --at;
+  if (at != waiting.begin() && (at - 1)->component.place == component.place) {
     (at - 1)->weight += weight;
   } else {
-    waiting_.insert(at, {component, weight});
+    waiting.insert(at, {component, weight});
   }
 }
+
+}  // namespace
 
 SolidTexture::SolidTexture(const char* kind, const Matrix& toTexture, const Component& first,
                            const Component& second, Pattern weightOfSecond)
@@ -41,20 +46,22 @@ SolidTexture::SolidTexture(const char* kind, const Matrix& toTexture, const Comp
   setPriority(first.material->getPriority());
 }
 
-void SolidTexture::mixAt(const Vec3d& point, Mixture& mixture) const {
-  mixture.plain_.clear();
+const std::vector<WeightedMaterial>& SolidTexture::mixAt(const Vec3d& point,
+                                                         Mixture& mixture) const {
+  auto& [plain, waiting] = mixture;
+  plain.clear();
   WeightedMaterial current{this, 1};
   for (;;) {
     if (const SolidTexture* texture = current.material->asTexture()) {
       const double second = texture->clampedWeight(point);
-      mixture.add(texture->first_, current.weight * (1 - second));
-      mixture.add(texture->second_, current.weight * second);
+      addShare(texture->first_, current.weight * (1 - second), waiting);
+      addShare(texture->second_, current.weight * second, waiting);
     } else {
-      mixture.plain_.push_back(current);
+      plain.push_back(current);
     }
-    if (mixture.waiting_.empty()) return;
-    current = {mixture.waiting_.back().component.material, mixture.waiting_.back().weight};
-    mixture.waiting_.pop_back();
+    if (waiting.empty()) return plain;
+    current = {waiting.back().component.material, waiting.back().weight};
+    waiting.pop_back();
   }
 }
 

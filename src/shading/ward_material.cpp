@@ -28,15 +28,6 @@ Vec3d farthestAxis(const Vec3d& normal) {
 
 }  // namespace
 
-WardMaterial::WardMaterial(const Vec3f& diffuseColor, const Vec3f& specularColor,
-                           const Grain& grain, const Vec3f& transparentColor,
-                           const Vec3f& reflectiveColor, float indexOfRefraction)
-    : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
-      specularColor_(specularColor),
-      grain_(grain) {
-  grain_.tangent = normalize(grain.tangent);
-}
-
 Vec3d WardMaterial::tangentAt(const Vec3d& normal) const {
   // What is left of the tangent when its part along the normal is taken off.
   Vec3d along = grain_.tangent - normal * dot(grain_.tangent, normal);
