@@ -32,7 +32,9 @@ class Matrix {
 
   template <class Number = double>
   Moved<Number> transformPoint(const Vec3<Number>& p) const {
-    return transformDirection(p) + Vec3<Number>(m_[0][3], m_[1][3], m_[2][3]);
+    return {m_[0][0] * p.x() + m_[0][1] * p.y() + m_[0][2] * p.z() + m_[0][3],
+            m_[1][0] * p.x() + m_[1][1] * p.y() + m_[1][2] * p.z() + m_[1][3],
+            m_[2][0] * p.x() + m_[2][1] * p.y() + m_[2][2] * p.z() + m_[2][3]};
   }
   /// The translation does not move a direction; its length is not kept.
   template <class Number = double>
