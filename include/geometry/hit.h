@@ -69,15 +69,10 @@ class Hit {
     point_ = point;
     primitive_ = primitive;
   }
-  /// The same hit of a surface of another material.
-  Hit withMaterial(const Material* material) const {
+  /// The same hit of a surface of that material, with that unit normal.
+  Hit withSurface(const Material* material, const Vec3d& normal) const {
     Hit hit = *this;
     hit.material_ = material;
-    return hit;
-  }
-  /// The same hit of a surface with that normal.
-  Hit withNormal(const Vec3d& normal) const {
-    Hit hit = *this;
     hit.normal_ = normal;
     return hit;
   }

@@ -4,6 +4,7 @@
 // linear in t and 0 where the ray meets it: t = (offset - n . origin) / (n . direction).
 #pragma once
 #include <cmath>
+#include <limits>
 
 #include "geometry/shape.h"
 
@@ -36,6 +37,12 @@ class Plane : public Shape {
   const Vec3d& getNormal() const { return normal_; }
   /// The signed distance of the plane from the origin, along the unit normal.
   double getOffset() const { return offset_; }
+
+  void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override {
+    double t;
+    if (!nearestRoot(ray, 0, std::numeric_limits<double>::infinity(), t)) return;
+    visitor.visit({t, this, getMaterial(), false, dot(normal_, ray.getDirection()) > 0});
+  }
 
  private:
   bool nearestRoot(const Ray& ray, double tmin, double tmax, double& t) const override {

@@ -70,7 +70,9 @@ class ByteReader {
 };
 
 /// Numbers with the low byte first, as TGA, BMP and PFM have them.
-inline unsigned littleEndian16(const std::uint8_t* bytes) { return bytes[0] + 256u * bytes[1]; }
+inline unsigned littleEndian16(const std::uint8_t* bytes) {
+  return unsigned(bytes[0] | bytes[1] << 8);
+}
 inline std::uint32_t littleEndian32(const std::uint8_t* bytes) {
   return littleEndian16(bytes) | std::uint32_t{littleEndian16(bytes + 2)} << 16;
 }

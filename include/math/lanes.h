@@ -184,19 +184,17 @@ class Doubles {
   friend Mask operator>=(const Doubles& a, const Doubles& b) { return Mask(a.v_ >= b.v_); }
   friend Mask operator==(const Doubles& a, const Doubles& b) { return Mask(a.v_ == b.v_); }
   friend Mask operator!=(const Doubles& a, const Doubles& b) { return !(a == b); }
+  friend Doubles smaller(const Doubles& a, const Doubles& b) { return leastOf(a.v_, b.v_); }
+  friend Doubles larger(const Doubles& a, const Doubles& b) { return mostOf(a.v_, b.v_); }
 
  private:
   Vector v_;
 };
 
-// The functions of number.h.
+// The other functions of number.h.
 inline Doubles choose(const Mask& where, const Doubles& a, const Doubles& b) {
   return mixed(where.truths(), a.vector(), b.vector());
 }
-inline Doubles smaller(const Doubles& a, const Doubles& b) {
-  return leastOf(a.vector(), b.vector());
-}
-inline Doubles larger(const Doubles& a, const Doubles& b) { return mostOf(a.vector(), b.vector()); }
 inline Doubles absolute(const Doubles& a) { return withoutSign(a.vector()); }
 inline Doubles squareRoot(const Doubles& a) { return rootOf(a.vector()); }
 inline Doubles roundedDown(const Doubles& a) { return floorOf(a.vector()); }

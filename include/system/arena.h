@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "system/memory.h"
+
 /// Hands out memory by moving an end forward; a Frame moves it back. What it once had from the
 /// heap it keeps, so that tables which are needed again and again cost no allocation.
 /// Not copyable; for one thread at a time.
@@ -48,11 +50,8 @@ class Arena {
     std::unique_ptr<Line[]> lines;
     std::size_t size;  // in bytes
   };
-  static constexpr std::size_t roundedUp(std::size_t bytes) {
-    return (bytes + kAlignment - 1) / kAlignment * kAlignment;
-  }
   void* takeBytes(std::size_t bytes) {
-    bytes = roundedUp(bytes);
+    bytes = roundedUp(bytes, kAlignment);
     if (bytes > std::size_t(end_ - next_)) findRoom(bytes);
     void* const memory = next_;
     next_ += bytes;

@@ -3,6 +3,11 @@
 #include <cstddef>
 #include <utility>
 
+/// The least multiple of `unit` that is not below `bytes`.
+constexpr std::size_t roundedUp(std::size_t bytes, std::size_t unit) {
+  return (bytes + unit - 1) / unit * unit;
+}
+
 /// A large array that costs memory only where it has been written: who fills it reserves for the
 /// worst case, fills the front, and gives the rest back. Raw zeroed memory, aligned to a page.
 /// Movable, not copyable.

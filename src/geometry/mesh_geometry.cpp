@@ -70,9 +70,8 @@ MeshGeometry::FaceRun MeshGeometry::lookOver(std::size_t run) const {
   Vec3f low = vertices_[faces_[first][0]], high = low;
   std::uint32_t flatFaces = 0;
   for (std::size_t face = first; face < last; ++face) {
-    const Vec3f& a = vertices_[faces_[face][0]];
-    const Vec3f& b = vertices_[faces_[face][1]];
-    const Vec3f& c = vertices_[faces_[face][2]];
+    const auto& [i, j, k] = faces_[face];
+    const Vec3f &a = vertices_[i], &b = vertices_[j], &c = vertices_[k];
     for (const Vec3f* corner : {&a, &b, &c}) {
       low = least(*corner, low);
       high = largest(*corner, high);

@@ -60,10 +60,7 @@ HashChains::HashChains(const std::uint8_t* bytes, std::size_t size)
 /// Art of Computer Programming, volume 3, 6.4). The order of the bytes is the same on every
 /// processor, since chains, and with them what is found in few tries, depend on the hash.
 std::size_t HashChains::hashAt(std::size_t at) const {
-  const std::uint8_t* const b = bytes_ + at;
-  const std::uint32_t value =
-      b[0] | std::uint32_t{b[1]} << 8 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[3]} << 24;
-  return value * 2654435761u >> (32 - kHashBits);
+  return littleEndian32(bytes_ + at) * 2654435761u >> (32 - kHashBits);
 }
 
 void HashChains::add(std::size_t at) {

@@ -62,16 +62,19 @@ struct Bits {
   unsigned value, count;
 };
 
+/// Bits of the codes of one alphabet, by symbol.
+using Lengths = std::vector<std::uint8_t>;
+
 /// The code that has these lengths, by symbol; no bits where the length is 0. RFC 1951, 3.2.2: the
 /// codes of one length are consecutive numbers, in the order of their symbols. A code is written
 /// with its highest bit first, so that its bits are turned round here. Lengths are at most
 /// kLongestCode.
-std::vector<Bits> codeOf(const std::vector<std::uint8_t>& lengths);
+std::vector<Bits> codeOf(const Lengths& lengths);
 
 /// RFC 1951, 3.2.6: the bits of the fixed code of each literal or length (288, the last two of
 /// which do not occur), and of each distance (32, likewise).
-std::vector<std::uint8_t> fixedLiteralLengths();
-std::vector<std::uint8_t> fixedDistanceLengths();
+Lengths fixedLiteralLengths();
+Lengths fixedDistanceLengths();
 
 /// A literal, or a copy of the `length` bytes that stand `distance` bytes before.
 struct Token {
@@ -111,7 +114,7 @@ class HashChains {
 /// 1 or more, the others 0. They fill the code: nothing is left over, but where a single symbol
 /// occurs, which gets 1 bit. The sum of counts[i] * length[i] is the least possible where no such
 /// code is longer than `longest`. At most 2^longest symbols may occur.
-std::vector<std::uint8_t> codeLengths(std::vector<std::uint32_t> counts, unsigned longest);
+Lengths codeLengths(std::vector<std::uint32_t> counts, unsigned longest);
 
 /// Writes blocks, and bits in deflate's order: the lowest bit of each byte first.
 class BlockWriter {

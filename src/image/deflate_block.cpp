@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t kMostStored = 65535;  // bytes in a stored block: 16 bits tell the length
 
 /// Of one alphabet, by symbol.
-using Lengths = std::vector<std::uint8_t>;
 using Counts = std::vector<std::uint32_t>;
 using Code = std::vector<Bits>;
 

@@ -9,7 +9,7 @@
 namespace {
 
 using deflate::kEndOfBlock;
-using Lengths = std::vector<std::uint8_t>;  // of the codes of an alphabet, by symbol
+using deflate::Lengths;
 
 /// Throws InflateError where the claim does not hold.
 void check(bool claim, const char* otherwise) {

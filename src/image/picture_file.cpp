@@ -6,26 +6,23 @@
 #include "image/picture_file.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "image/output_file.h"
 
 namespace {
 
-/// How the rows of bytes follow behind a head.
-struct RowOrder {
-  bool isTopFirst, isBlueFirst;
-  std::size_t unit;  // a row is filled up with zeros to a multiple of so many bytes
-};
-
-void encodeRows(const Image& image, const Bytes& head, const RowOrder& order, const Sink& sink) {
+/// The rows of TGA and BMP have blue first; those of BMP begin at the bottom, each filled up with
+/// zeros to a multiple of four bytes.
+void encodeRows(const Image& image, PictureFormat format, const Bytes& head, const Sink& sink) {
+  const bool isBmp = format == PictureFormat::bmp, isBlueFirst = format != PictureFormat::ppm;
   sink(head);
   for (int k = 0; k < image.Height(); ++k) {
-    const std::uint8_t* const rgb = image.rowBytes(order.isTopFirst ? image.Height() - 1 - k : k);
+    const std::uint8_t* const rgb = image.rowBytes(isBmp ? k : image.Height() - 1 - k);
     Bytes row(rgb, rgb + 3 * std::size_t(image.Width()));
-    for (std::size_t i = 0; order.isBlueFirst && i < row.size(); i += 3) {
-      std::swap(row[i], row[i + 2]);
-    }
-    row.resize((row.size() + order.unit - 1) / order.unit * order.unit);
+    for (std::size_t i = 0; isBlueFirst && i < row.size(); i += 3) std::swap(row[i], row[i + 2]);
+    row.resize(roundedUp(row.size(), isBmp ? 4 : 1));
     sink(row);
   }
 }
@@ -39,13 +36,13 @@ void encode(const Image& image, PictureFormat format, int threads, const TgaPlac
   const int width = image.Width(), height = image.Height();
   switch (format) {
     case PictureFormat::tga:
-      return encodeRows(image, tgaHead(width, height, place), {true, true, 1}, sink);
+      return encodeRows(image, format, tgaHead(width, height, place), sink);
     case PictureFormat::png:
       return encodePng(image, sink, threads);
     case PictureFormat::bmp:
-      return encodeRows(image, bmpHead(width, height), {false, true, 4}, sink);
+      return encodeRows(image, format, bmpHead(width, height), sink);
     case PictureFormat::ppm:
-      return encodeRows(image, ppmHead(width, height), {true, false, 1}, sink);
+      return encodeRows(image, format, ppmHead(width, height), sink);
     case PictureFormat::pfm:
       return encodePfm(
           width, height, [&image](int x, int y) { return colorOf(image.getPixel(x, y)); }, sink);
@@ -55,17 +52,13 @@ void encode(const Image& image, PictureFormat format, int threads, const TgaPlac
 /// What the bytes begin as, where it is a format that others write and this program does not read;
 /// null else.
 const char* otherFormatOf(const Bytes& bytes) {
-  struct Format {
-    std::string_view start;
-    const char* name;
-  };
-  static constexpr Format kFormats[] = {
+  static constexpr std::pair<std::string_view, const char*> kFormats[] = {
       {"\xff\xd8\xff", "a JPEG"}, {"GIF8", "a GIF"},  {{"II*\0", 4}, "a TIFF"},
       {{"MM\0*", 4}, "a TIFF"},   {"RIFF", "a WebP"},
   };
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  for (const Format& format : kFormats) {
-    if (text.substr(0, format.start.size()) == format.start) return format.name;
+  for (const auto& [start, name] : kFormats) {
+    if (text.substr(0, start.size()) == start) return name;
   }
   return nullptr;
 }

@@ -162,9 +162,6 @@ class PngReader {
                   " bytes does not fit the colour type or palette");
   }
 
-  /// Bytes that the filters take for a pixel: of several pixels in a byte 1.
-  std::size_t bytesPerPixel() const { return std::max<std::size_t>(1, channels_ * depth_ / 8); }
-
   /// The picture is wanted in floats, and has more than bytes.
   bool isExact() const { return exact_ && depth_ == 16; }
 
@@ -196,7 +193,7 @@ class PngReader {
   /// `row` points at the filter byte; the row before it is already done. Beyond the edges is 0.
   void undoFilter(std::uint8_t* row, std::uint64_t size, bool hasAbove) const {
     const unsigned filter = row[0];
-    const std::size_t perPixel = bytesPerPixel();
+    const std::size_t perPixel = std::max(1u, channels_ * depth_ / 8);  // of several in a byte 1
     reader_.check(filter < png::kFilters, "expected a filter of 0 to 4, found ", filter);
     for (std::size_t i = 1; filter != 0 && i < size; ++i) {
       const bool hasLeft = i > perPixel;

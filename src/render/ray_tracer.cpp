@@ -61,7 +61,7 @@ Vec3f RayTracer::shade(const Surface& s) const {
 Vec3f RayTracer::mixture(const SolidTexture& texture, const Surface& s) const {
   Vec3d sum;
   for (const WeightedMaterial& each : texture.materialsAt(s.hit.getIntersectionPoint())) {
-    const Hit hit = s.hit.withMaterial(each.material);
+    const Hit hit = s.hit.withSurface(each.material, s.hit.getNormal());
     const float weight = s.weight * float(each.weight);
     const Surface component = {s.ray, hit, s.interface, s.bounces, weight, s.indexOfRefraction};
     sum += each.weight * Vec3d(shadeComponent(component, each.weight));

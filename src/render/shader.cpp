@@ -69,7 +69,7 @@ Vec3d Shader::reflected(const Surface& s, const LightSample& light, const Vec3f&
   const Material& material = *s.hit.getMaterial();
   const Vec3f direction(light.direction);
   if (isTurned(approachOf(s))) {
-    return material.Shade(s.ray, s.hit.withNormal(-s.hit.getNormal()), direction,
+    return material.Shade(s.ray, s.hit.withSurface(&material, -s.hit.getNormal()), direction,
                           light.color * visible);
   }
   return material.Shade(s.ray, s.hit, direction, light.color * visible);

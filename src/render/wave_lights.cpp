@@ -91,8 +91,7 @@ void WaveTracer::reflect(const MaterialGroup& group, const WaveGeneration& gener
   if (toNumbers(*group.material, numbers)) return kernels_.reflect(numbers, light, rows, surfaces);
   for (const int row : rows) {
     const int k = light.surface[row], ray = surfaces.ray[k];
-    const Hit hit =
-        generation.hitOf(ray).withMaterial(group.material).withNormal(rowOf(surfaces.lit, k));
+    const Hit hit = generation.hitOf(ray).withSurface(group.material, rowOf(surfaces.lit, k));
     surfaces.add(k, group.material->Shade(generation.rays.rayOf(ray), hit,
                                           Vec3f(rowOf(light.direction, row)),
                                           Vec3f(rowOf(light.color, row))));

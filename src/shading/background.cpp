@@ -6,20 +6,12 @@
 #include "shading/background.h"
 
 Vec3d CubeMap::colorAt(const Vec3d& direction) const {
-  const double x = direction.x(), y = direction.y(), z = direction.z();
-  const auto look = [&](int face, double u, double v) {
-    return pictures_[std::size_t(face)]->colorAt(u, v);
-  };
-  const auto across = [](double b, double a) { return (b / a + 1) / 2; };
-  const int longest = longestAxis(direction);
-  if (longest == 0) {
-    const double u = across(z, x), v = across(y, x);
-    return x > 0 ? look(1, u, v) : look(0, u, 1 - v);
-  }
-  if (longest == 1) {
-    const double u = across(x, y), v = across(z, y);
-    return y > 0 ? look(2, u, v) : look(3, 1 - u, 1 - v);
-  }
-  const double u = across(x, z), v = across(y, z);
-  return z > 0 ? look(4, 1 - u, v) : look(5, u, 1 - v);
+  const int axis = longestAxis(direction);
+  const bool isPositive = direction[axis] > 0;
+  const auto across = [&](int other) { return (direction[other] / direction[axis] + 1) / 2; };
+  const double u = across(axis == 0 ? 2 : 0), v = across(axis == 1 ? 2 : 1);
+  constexpr std::size_t kFaceOf[3][2] = {{0, 1}, {3, 2}, {5, 4}};  // below 0, and above
+  const std::size_t face = kFaceOf[axis][isPositive];
+  const bool isTurned = face == 3 || face == 4;
+  return pictures_[face]->colorAt(isTurned ? 1 - u : u, isPositive ? v : 1 - v);
 }

@@ -27,10 +27,6 @@ constexpr auto kCountedMemory = RLIMIT_DATA;
 constexpr auto kCountedMemory = RLIMIT_AS;
 #endif
 
-std::uintptr_t roundedUp(std::uintptr_t bytes, std::size_t page) {
-  return (bytes + page - 1) / page * page;
-}
-
 std::size_t smallPage() { return std::size_t(sysconf(_SC_PAGESIZE)); }
 
 }  // namespace

@@ -22,6 +22,8 @@
 #include <system_error>
 #include <vector>
 
+#include "system/memory.h"
+
 namespace {
 
 /// What the threads of one call of runOnThreads share; it lives on the caller's stack.
@@ -67,7 +69,7 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   constexpr std::size_t kUnit = 65536;  // a multiple of every page, and enough for any system
-  pthread_attr_setstacksize(&attributes, (std::max(stackBytes, kUnit) + kUnit - 1) / kUnit * kUnit);
+  pthread_attr_setstacksize(&attributes, roundedUp(std::max(stackBytes, kUnit), kUnit));
   int error = 0;
   for (int i = 0; i < threads && error == 0; ++i) {
     pthread_t thread;
