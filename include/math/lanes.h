@@ -37,12 +37,10 @@ typedef std::int64_t Signed __attribute__((vector_size(kDoubles * 8)));
 typedef std::uint64_t Wholes __attribute__((vector_size(kDoubles * 8)));
 typedef float Floats __attribute__((vector_size(kDoubles * 4)));
 
-/// What a comparison gives: all bits of a lane where it holds, else none.
-using Truths = Signed;
-
-inline Vector withoutSign(const Vector& a) { return Vector(Signed(a) & INT64_MAX); }
+inline Vector withoutSign(Vector a) { return Vector(Signed(a) & INT64_MAX); }
 
 // For each instruction set:
+//   Truths               what a comparison gives, one for each lane
 //   mixed(where, a, b)   a where `where` holds, else b
 //   leastOf, mostOf      b where b < a, or a < b; else a
 //   rootOf, floorOf      the square root; the largest whole number that is not above it
@@ -52,33 +50,40 @@ inline Vector withoutSign(const Vector& a) { return Vector(Signed(a) & INT64_MAX
 
 // The forms without a mask begin from an undefined vector, of which g++ 12 warns.
 constexpr __mmask8 kAll = 0xff;
-inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) { return where ? a : b; }
-inline Vector leastOf(const Vector& a, const Vector& b) { return _mm512_maskz_min_pd(kAll, b, a); }
-inline Vector mostOf(const Vector& a, const Vector& b) { return _mm512_maskz_max_pd(kAll, b, a); }
-inline Vector rootOf(const Vector& a) { return _mm512_maskz_sqrt_pd(kAll, a); }
-inline Vector floorOf(const Vector& a) {
+using Truths = __mmask8;
+inline Truths isLess(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+inline Truths isLessOrEqual(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
+inline Truths isEqual(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
+inline Vector mixed(Truths where, Vector a, Vector b) { return _mm512_mask_blend_pd(where, b, a); }
+inline Vector leastOf(Vector a, Vector b) { return _mm512_maskz_min_pd(kAll, b, a); }
+inline Vector mostOf(Vector a, Vector b) { return _mm512_maskz_max_pd(kAll, b, a); }
+inline Vector rootOf(Vector a) { return _mm512_maskz_sqrt_pd(kAll, a); }
+inline Vector floorOf(Vector a) {
   return _mm512_maskz_roundscale_pd(kAll, a, _MM_FROUND_TO_NEG_INF);
 }
-inline unsigned bitsOfTruths(const Truths& where) { return _mm512_movepi64_mask(__m512i(where)); }
-inline Truths truthsOfBits(unsigned bits) { return Truths(_mm512_movm_epi64(__mmask8(bits))); }
-inline Vector packed(const Vector& a, unsigned bits) {
-  return _mm512_maskz_compress_pd(__mmask8(bits), a);
-}
+inline unsigned bitsOfTruths(Truths where) { return where; }
+inline Truths truthsOfBits(unsigned bits) { return Truths(bits); }
+inline Vector packed(Vector a, unsigned bits) { return _mm512_maskz_compress_pd(Truths(bits), a); }
 
-#elif defined(RAYTRACER_LANES_AVX2)
+#else
 
-inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) {
+using Truths = Signed;  // all bits of a lane, or none
+inline Truths isLess(Vector a, Vector b) { return a < b; }
+inline Truths isLessOrEqual(Vector a, Vector b) { return a <= b; }
+inline Truths isEqual(Vector a, Vector b) { return a == b; }
+
+#if defined(RAYTRACER_LANES_AVX2)
+
+inline Vector mixed(Truths where, Vector a, Vector b) {
   return _mm256_blendv_pd(b, a, __m256d(where));
 }
-inline Vector leastOf(const Vector& a, const Vector& b) { return _mm256_min_pd(b, a); }
-inline Vector mostOf(const Vector& a, const Vector& b) { return _mm256_max_pd(b, a); }
-inline Vector rootOf(const Vector& a) { return _mm256_sqrt_pd(a); }
-inline Vector floorOf(const Vector& a) { return _mm256_floor_pd(a); }
-inline unsigned bitsOfTruths(const Truths& where) {
-  return unsigned(_mm256_movemask_pd(__m256d(where)));
-}
+inline Vector leastOf(Vector a, Vector b) { return _mm256_min_pd(b, a); }
+inline Vector mostOf(Vector a, Vector b) { return _mm256_max_pd(b, a); }
+inline Vector rootOf(Vector a) { return _mm256_sqrt_pd(a); }
+inline Vector floorOf(Vector a) { return _mm256_floor_pd(a); }
+inline unsigned bitsOfTruths(Truths where) { return unsigned(_mm256_movemask_pd(__m256d(where))); }
 inline Truths truthsOfBits(unsigned bits) { return (Truths{1, 2, 4, 8} & std::int64_t(bits)) != 0; }
-inline Vector packed(const Vector& a, unsigned bits) {
+inline Vector packed(Vector a, unsigned bits) {
   // For each set of bits the halves of doubles that are taken, a digit each, the first one lowest.
   static constexpr std::uint32_t kHalves[16] = {0x00000000, 0x00000010, 0x00000032, 0x00003210,
                                                 0x00000054, 0x00005410, 0x00005432, 0x00543210,
@@ -91,35 +96,32 @@ inline Vector packed(const Vector& a, unsigned bits) {
 
 #else
 
-inline Vector mixed(const Truths& where, const Vector& a, const Vector& b) {
+inline Vector mixed(Truths where, Vector a, Vector b) {
   return Vector((where & Signed(a)) | (~where & Signed(b)));
 }
 #if defined(__SSE2__)
-inline Vector leastOf(const Vector& a, const Vector& b) { return _mm_min_pd(b, a); }
-inline Vector mostOf(const Vector& a, const Vector& b) { return _mm_max_pd(b, a); }
-inline Vector rootOf(const Vector& a) { return _mm_sqrt_pd(a); }
-inline unsigned bitsOfTruths(const Truths& where) {
-  return unsigned(_mm_movemask_pd(__m128d(where)));
-}
+inline Vector leastOf(Vector a, Vector b) { return _mm_min_pd(b, a); }
+inline Vector mostOf(Vector a, Vector b) { return _mm_max_pd(b, a); }
+inline Vector rootOf(Vector a) { return _mm_sqrt_pd(a); }
+inline unsigned bitsOfTruths(Truths where) { return unsigned(_mm_movemask_pd(__m128d(where))); }
 #else
-inline Vector leastOf(const Vector& a, const Vector& b) { return mixed(b < a, b, a); }
-inline Vector mostOf(const Vector& a, const Vector& b) { return mixed(a < b, b, a); }
-inline Vector rootOf(const Vector& a) { return Vector{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])}; }
-inline unsigned bitsOfTruths(const Truths& where) {
+inline Vector leastOf(Vector a, Vector b) { return mixed(b < a, b, a); }
+inline Vector mostOf(Vector a, Vector b) { return mixed(a < b, b, a); }
+inline Vector rootOf(Vector a) { return Vector{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])}; }
+inline unsigned bitsOfTruths(Truths where) {
   return unsigned(where[0] & 1) | unsigned(where[1] & 2);
 }
 #endif
-inline Vector floorOf(const Vector& a) {
+inline Vector floorOf(Vector a) {
   // From 2^52 on all doubles are whole; below, adding 2^52 rounds to the nearest whole number.
   const Vector size = withoutSign(a), nearestSize = (size + 0x1p52) - 0x1p52;
   const Vector nearest = Vector(Signed(nearestSize) | (Signed(a) & INT64_MIN));
   return mixed(size < 0x1p52, mixed(a < nearest, nearest - 1, nearest), a);
 }
 inline Truths truthsOfBits(unsigned bits) { return (Truths{1, 2} & std::int64_t(bits)) != 0; }
-inline Vector packed(const Vector& a, unsigned bits) {
-  return Vector{bits == 2 ? a[1] : a[0], a[1]};
-}
+inline Vector packed(Vector a, unsigned bits) { return Vector{bits == 2 ? a[1] : a[0], a[1]}; }
 
+#endif
 #endif
 
 /// Lane by lane true or false.
@@ -127,20 +129,21 @@ class Mask {
  public:
   Mask() = default;
   explicit Mask(bool all) : Mask(ofBits(all ? (1u << kDoubles) - 1 : 0)) {}
-  explicit Mask(const Truths& truths) : truths_(truths) {}
+  explicit Mask(Truths truths) : truths_(truths) {}
   /// Of one bit a lane, lane 0 lowest.
   static Mask ofBits(unsigned bits) { return Mask(truthsOfBits(bits)); }
 
   unsigned bits() const { return bitsOfTruths(truths_); }
-  const Truths& truths() const { return truths_; }
+  Truths truths() const { return truths_; }
+
+  friend Mask operator&(Mask a, Mask b) { return Mask(Truths(a.truths_ & b.truths_)); }
+  friend Mask operator|(Mask a, Mask b) { return Mask(Truths(a.truths_ | b.truths_)); }
+  friend Mask operator!(Mask a) { return Mask(Truths(~a.truths_)); }
 
  private:
   Truths truths_;
 };
 
-inline Mask operator&(const Mask& a, const Mask& b) { return Mask(a.truths() & b.truths()); }
-inline Mask operator|(const Mask& a, const Mask& b) { return Mask(a.truths() | b.truths()); }
-inline Mask operator!(const Mask& a) { return Mask(~a.truths()); }
 inline bool any(const Mask& where) { return where.bits() != 0; }
 
 /// kDoubles doubles. Not initialised by default, as a double is not.
@@ -178,11 +181,15 @@ class Doubles {
   friend Doubles operator*(const Doubles& a, const Doubles& b) { return a.v_ * b.v_; }
   friend Doubles operator/(const Doubles& a, const Doubles& b) { return a.v_ / b.v_; }
   friend Doubles operator-(const Doubles& a) { return -a.v_; }
-  friend Mask operator<(const Doubles& a, const Doubles& b) { return Mask(a.v_ < b.v_); }
-  friend Mask operator>(const Doubles& a, const Doubles& b) { return Mask(a.v_ > b.v_); }
-  friend Mask operator<=(const Doubles& a, const Doubles& b) { return Mask(a.v_ <= b.v_); }
-  friend Mask operator>=(const Doubles& a, const Doubles& b) { return Mask(a.v_ >= b.v_); }
-  friend Mask operator==(const Doubles& a, const Doubles& b) { return Mask(a.v_ == b.v_); }
+  friend Mask operator<(const Doubles& a, const Doubles& b) { return Mask(isLess(a.v_, b.v_)); }
+  friend Mask operator>(const Doubles& a, const Doubles& b) { return Mask(isLess(b.v_, a.v_)); }
+  friend Mask operator<=(const Doubles& a, const Doubles& b) {
+    return Mask(isLessOrEqual(a.v_, b.v_));
+  }
+  friend Mask operator>=(const Doubles& a, const Doubles& b) {
+    return Mask(isLessOrEqual(b.v_, a.v_));
+  }
+  friend Mask operator==(const Doubles& a, const Doubles& b) { return Mask(isEqual(a.v_, b.v_)); }
   friend Mask operator!=(const Doubles& a, const Doubles& b) { return !(a == b); }
   friend Doubles smaller(const Doubles& a, const Doubles& b) { return leastOf(a.v_, b.v_); }
   friend Doubles larger(const Doubles& a, const Doubles& b) { return mostOf(a.v_, b.v_); }
