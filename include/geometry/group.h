@@ -7,7 +7,7 @@
 class Group : public Object3D {
  public:
   /// With room for numObjects; slots that are never filled are passed over.
-  explicit Group(int numObjects = 0);
+  explicit Group(int numObjects = 0) : objects_(std::size_t(numObjects), nullptr) {}
 
   /// Puts `object` (not owned, not null) into slot `index` >= 0, growing the list if need be.
   void addObject(int index, const Object3D* object);

@@ -24,7 +24,9 @@ class TriangleMesh : public Object3D {
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
   bool occluded(const Ray& ray, double tmin, double tmax) const override;
   void visitCrossings(const Ray& ray, CrossingVisitor& visitor) const override;
-  void addBounds(const Matrix& toWorld, BoundingBox& box) const override;
+  void addBounds(const Matrix& toWorld, BoundingBox& box) const override {
+    geometry_->addBounds(toWorld, box);
+  }
   bool isBounded() const override { return true; }
   bool hasTexturePlaces() const override { return !geometry_->getShading().coordinates.empty(); }
 

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 
-Group::Group(int numObjects) : objects_(std::size_t(numObjects), nullptr) {}
-
 void Group::addObject(int index, const Object3D* object) {
   const std::size_t slot = std::size_t(index);
   if (slot >= objects_.size()) objects_.resize(slot + 1, nullptr);

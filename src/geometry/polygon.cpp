@@ -170,7 +170,7 @@ class EarCutter {
     for (std::uint32_t k = 0; k < count; ++k) {
       ring_.push_back({(k + count - 1) % count, (k + 1) % count});
       isReflex_.push_back(turnAt(k) <= 0);
-      if (isReflex_[k]) reflex_.push_back({points_[k], k});
+      if (isReflex_[k]) reflex_.push_back(k);
     }
   }
 
@@ -205,10 +205,6 @@ class EarCutter {
   struct Neighbours {
     std::uint32_t before, next;
   };
-  struct Reflex {
-    Point place;
-    std::uint32_t corner;
-  };
 
   int turnAt(std::uint32_t at) const {
     return turn(points_[ring_[at].before], points_[at], points_[ring_[at].next]);
@@ -220,8 +216,8 @@ class EarCutter {
     const std::uint32_t before = ring_[at].before, next = ring_[at].next;
     const Point ear[] = {points_[before], points_[at], points_[next]};
     const Box box = boxAround(ear[0], ear[1], ear[2]);
-    return std::none_of(reflex_.begin(), reflex_.end(), [&](const Reflex& reflex) {
-      const auto [p, k] = reflex;
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t k) {
+      const Point& p = points_[k];
       if (!box.meets({p, p}) || k == before || k == at || k == next) return false;
       return intrudes(k, ear, mayBeFlat);
     });
@@ -261,16 +257,16 @@ class EarCutter {
     }
     if (!haveFewer) return;
     reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(),
-                                 [&](const Reflex& reflex) { return !isReflex_[reflex.corner]; }),
+                                 [&](std::uint32_t k) { return !isReflex_[k]; }),
                   reflex_.end());
   }
 
   const std::vector<Point> points_;
   std::vector<OutlineTriangle>& triangles_;
   std::vector<Neighbours> ring_;
-  std::vector<char> isReflex_;  // it did not turn to the left, and still does not
-  std::vector<Reflex> reflex_;  // those
-  std::vector<char> rejected_;  // 1: it is no ear; 2: nor may anything be cut off there
+  std::vector<char> isReflex_;         // it did not turn to the left, and still does not
+  std::vector<std::uint32_t> reflex_;  // those
+  std::vector<char> rejected_;         // 1: it is no ear; 2: nor may anything be cut off there
 };
 
 }  // namespace

@@ -58,7 +58,3 @@ void TriangleMesh::visitCrossings(const Ray& ray, CrossingVisitor& visitor) cons
     visitFace(face, ray, visitor);
   }
 }
-
-void TriangleMesh::addBounds(const Matrix& toWorld, BoundingBox& box) const {
-  geometry_->addBounds(toWorld, box);
-}

@@ -4,14 +4,9 @@
 
 #include <algorithm>
 
-namespace {
-
-constexpr std::size_t kLeastBlock = std::size_t(1) << 16;
-
-}  // namespace
-
 /// Goes on to the next block that has room for so many bytes.
 void Arena::findRoom(std::size_t bytes) {
+  constexpr std::size_t kLeastBlock = std::size_t(1) << 16;
   std::size_t block = blocks_.empty() ? 0 : block_ + 1;
   while (block < blocks_.size() && blocks_[block].size < bytes) ++block;
   if (block == blocks_.size()) {
