@@ -41,6 +41,15 @@ TEST("a colour becomes bytes channel by channel") {
   CHECK(bytesFromColor(Vec3f(1, 0.5f, 0)) == (Rgb8{255, 127, 0}));
 }
 
+TEST("a sample becomes the nearest byte, whatever its largest value") {
+  // 255 s / m: 127 255 / 255; 1 255 / 2 = 127.5, upwards; 16 255 / 31 = 131.6; 257 255 / 65535 = 1.
+  CHECK_EQUAL(int(byteFromSample(127, 255)), 127);
+  CHECK_EQUAL(int(byteFromSample(1, 2)), 128);
+  CHECK_EQUAL(int(byteFromSample(16, 31)), 132);
+  CHECK_EQUAL(int(byteFromSample(257, 65535)), 1);
+  CHECK_EQUAL(int(byteFromSample(65535, 65535)), 255);
+}
+
 TEST("an image begins black, and each pixel is a place of its own") {
   Image image(3, 2);
   CHECK_EQUAL(image.Width(), 3);

@@ -127,3 +127,18 @@ TEST("a point on the image plane keeps its two components and widens exactly") {
   CHECK_EQUAL(Vec2d().x(), 0.0);
   CHECK_EQUAL(Vec2d().y(), 0.0);
 }
+
+TEST("the longest axis has the largest component by size, the first of equal ones") {
+  CHECK_EQUAL(longestAxis(Vec3d(1, -2, 1.5)), 1);
+  CHECK_EQUAL(longestAxis(Vec3d(-3, 2, 2.5)), 0);
+  CHECK_EQUAL(longestAxis(Vec3d(0, 1, -4)), 2);
+  CHECK_EQUAL(longestAxis(Vec3d(2, -2, 2)), 0);
+  CHECK_EQUAL(longestAxis(Vec3d(1, -2, 2)), 1);
+}
+
+TEST("what is nearest within 0 to 1: the number itself, an end, and 0 for NaN") {
+  CHECK_EQUAL(withinUnit(0.25), 0.25);
+  CHECK_EQUAL(withinUnit(-3), 0.0);
+  CHECK_EQUAL(withinUnit(1e300), 1.0);
+  CHECK_EQUAL(withinUnit(std::nan("")), 0.0);
+}
