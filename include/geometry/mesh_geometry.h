@@ -30,12 +30,13 @@ class MeshGeometry {
   const std::vector<Vec3f>& getVertices() const { return vertices_; }
   const Vec3d& getOrigin() const { return origin_; }
   /// Whether the origin is other than kZero.
-  bool isFar() const { return origin_ != kZero; }
+  bool isFar() const { return isFar_; }
   const std::vector<Face>& getFaces() const { return faces_; }
   std::uint32_t faceCount() const { return std::uint32_t(faces_.size()); }
   /// The corners of face `face`, below faceCount(), in the mesh's own space.
   std::array<Vec3d, 3> corners(std::uint32_t face) const {
     const auto& [i, j, k] = faces_[face];
+    if (!isFar_) return {vertices_[i], vertices_[j], vertices_[k]};
     return {origin_ + vertices_[i], origin_ + vertices_[j], origin_ + vertices_[k]};
   }
   /// Corner 0, 1 or 2 of face `face`, in the mesh's own space.
@@ -71,6 +72,7 @@ class MeshGeometry {
   void visitCorners(std::size_t run, const Visitor& visit) const;
 
   Vec3d origin_ = kZero;
+  bool isFar_ = origin_ != kZero;
   std::vector<Vec3f> vertices_;
   std::vector<Face> faces_;
   std::vector<FaceRun> runs_;
