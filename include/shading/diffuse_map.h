@@ -3,6 +3,7 @@
 // Sources: MIT 6.837, "Introduction to Computer Graphics", assignments 4 and 5 of 2012.
 #pragma once
 #include <cstddef>
+#include <utility>
 
 #include "geometry/hit.h"
 #include "image/image.h"

@@ -8,7 +8,6 @@
 // deflate makes at most kMostExpansion bytes of one. Order and number of the chunks are checked as
 // the specification has them (4.3), so that a file that other readers refuse is refused here too.
 #include <algorithm>
-#include <cstring>
 
 #include "image/deflate.h"
 #include "image/picture_file.h"

@@ -2,8 +2,6 @@
 #include "shading/diffuse_map.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "geometry/object3d.h"
 #include "math/functions.h"
