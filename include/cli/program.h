@@ -35,6 +35,12 @@ template <class... Pieces>
   throw UsageError(joined(pieces...));
 }
 
+/// Throws it where the claim holds.
+template <class... Pieces>
+void refuseIf(bool isWrong, const Pieces&... pieces) {
+  if (isWrong) failUsage(pieces...);
+}
+
 /// "640 x 480".
 inline std::string sizeText(int width, int height) { return joined(width, " x ", height); }
 

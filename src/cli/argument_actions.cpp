@@ -94,10 +94,8 @@ void wantDepth(Words words, Draft& draft) {
   want(draft, {Kind::depth, words.picture(first == 0 ? 2 : 0), depthMin, depthMax});
 }
 
-/// What it brings holds since before the first argument: startFrom.
-void setCourse(Words words, Draft& draft) {
-  draft.render.picture.course = &courseAt(words.choice(false));
-}
+/// The course holds since before the first argument: startFrom. Here its name is checked.
+void checkCourse(Words words, Draft&) { words.choice(false); }
 
 /// Without effect, which is told.
 void addIdle(Words words, Draft& draft) {
@@ -207,9 +205,8 @@ void setGrid(Words words, Draft& draft) {
     acceleration.gridSize[axis] = words.integer(std::size_t(axis), 1, kMaxGridSide);
     cells *= acceleration.gridSize[axis];
   }
-  if (cells > kMaxGridCells) {
-    failUsage("-grid: expected at most ", kMaxGridCells, " cells in all, found ", cells);
-  }
+  refuseIf(cells > kMaxGridCells, "-grid: expected at most ", kMaxGridCells,
+           " cells in all, found ", cells);
   acceleration.kind = Acceleration::Kind::grid;
 }
 
@@ -265,7 +262,7 @@ constexpr ArgumentAction unseen(ArgumentAction action) {
 /// and is taken to change pixels.
 constexpr ArgumentAction kActions[] = {
     unseen({"input", setFile<&PictureRequest::scene>}),
-    {"course", setCourse, Mode::rendering, kCourseNames},
+    {"course", checkCourse, Mode::rendering, kCourseNames},
 
     unseen({"output", wantPicture<Kind::color>}),
     {"size", setSize},

@@ -30,7 +30,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
         continue;
       }
       const std::size_t end = line.find(c, at);
-      if (end == std::string::npos) throw UsageError("expected a closing quote, found none");
+      refuseIf(end == std::string::npos, "expected a closing quote, found none");
       word += line.substr(at, end - at);
       at = end + 1;
     }
@@ -38,36 +38,28 @@ std::vector<std::string> wordsOf(const std::string& line) {
   return words;
 }
 
-/// Scenes are looked up beside the table, wherever the program is called.
-std::string beside(const std::string& table, const std::string& file) {
-  if (file.empty() || file == "-") return file;
-  return (std::filesystem::path(table).parent_path() / file).string();
-}
-
-/// The command of a line with these words, in the table `path`. Throws UsageError.
+/// The command of a line with these words, in the table `path`. Scenes are looked up beside it,
+/// wherever the program is called. Throws UsageError.
 TableCommand readLine(const std::string& path, const std::string& line,
                       std::vector<std::string> words, const RunRequest& defaults) {
   const std::string picture = words[0];
-  if (picture[0] == '-' && picture != "-") {
-    throw UsageError("expected the name of a picture before the arguments, found " +
-                     ::quoted(picture));
-  }
+  refuseIf(picture.empty(), "expected the name of a picture, found ''");
+  refuseIf(picture[0] == '-' && picture != "-",
+           "expected the name of a picture before the arguments, found ", ::quoted(picture));
   words.erase(words.begin());
   // Read as what it stands for; an -output that comes later would win over it, and is refused.
   if (picture != "-") words.insert(words.begin(), {"-output", picture});
   Request request = parseRequest(words, defaults);
   const ResultRequest& results = request.render.results;
-  if (request.text != ProgramText::none || request.check || results.stats || results.pixel ||
-      results.preview || request.compare.isWanted() || request.merge.isWanted()) {
-    throw UsageError("expected arguments that only render pictures");
-  }
+  refuseIf(request.text != ProgramText::none || request.check || results.stats || results.pixel ||
+               results.preview || request.compare.isWanted() || request.merge.isWanted(),
+           "expected arguments that only render pictures");
   const OutputRequest* const output = results.find(OutputRequest::Kind::color);
-  if (picture != "-" && output->file != picture) {
-    throw UsageError("-output: the line begins with the picture's name already");
-  }
+  refuseIf(picture != "-" && output->file != picture,
+           "-output: the line begins with the picture's name already");
   std::string& scene = request.render.picture.scene;
-  if (scene == "-") throw UsageError("-input: expected a file, found '-'");
-  scene = beside(path, scene);
+  refuseIf(scene == "-", "-input: expected a file, found '-'");
+  scene = (std::filesystem::path(path).parent_path() / scene).string();
   return {line, request.render, request.run};
 }
 
@@ -84,12 +76,10 @@ std::vector<TableCommand> readCommandTable(const std::string& path, const RunReq
     try {
       const std::vector<std::string> words = wordsOf(line);
       if (words.empty()) continue;
-      if (words[0].empty()) throw UsageError("expected the name of a picture, found ''");
       commands.push_back(readLine(path, line, words, defaults));
       for (const OutputRequest& output : commands.back().render.results.outputs) {
-        if (!pictures.insert(output.file).second) {
-          throw UsageError("expected a picture of a new name, found " + ::quoted(output.file));
-        }
+        refuseIf(!pictures.insert(output.file).second, "expected a picture of a new name, found ",
+                 ::quoted(output.file));
       }
     } catch (const UsageError& error) {
       throw UsageError(path + ":" + std::to_string(number) + ": " + error.what());

@@ -1,5 +1,5 @@
 // What -compare works with. ComparedPair: two pictures that belong together, and what came of
-// comparing them (compared_pair.cpp); the forms in which that is told: lines of text, a row of
+// comparing them (compare_run.cpp); the forms in which that is told: lines of text, a row of
 // comma-separated values (compare_text.cpp), a page with the pictures (report_page.cpp).
 // TableCommand: a command of a table whose pictures are compared (command_table.cpp).
 #pragma once
@@ -26,38 +26,10 @@ struct ComparedPair {
   std::optional<Comparison> comparison{};  ///< where both pictures have the same size
   std::string figures{};  ///< the pictures, as they stand in the report, where one is wanted
   Image difference{};     ///< the picture of the differences, where -diff is given
-  std::string given{};    ///< the ACTUAL that the pair comes of, as the command line has it
 
   /// Neither the same within the tolerance nor readable and different.
   bool isAtFault() const { return result != Result::same && result != Result::different; }
-  void fail(Result how, const std::string& why);
 };
-
-/// All files below `folder`, however deep, whose endings are those of pictures (tga, png, bmp, ppm,
-/// pgm, pfm; jpg, gif, tif and webp too, which reading then refuses; in capitals or not), as paths
-/// relative to it, sorted. Links to folders are not followed. Throws ImageError where a folder
-/// cannot be read.
-std::vector<std::string> picturesIn(const std::string& folder);
-
-/// The picture of that name in `pictures` (sorted paths), else the first one whose path is the same
-/// but for the ending (out.tga and out.png); "" where there is none.
-std::string partnerOf(const std::string& name, const std::vector<std::string>& pictures);
-
-/// The path of `name` in `folder`; "" for "".
-std::string inFolder(const std::string& folder, const std::string& name);
-
-/// Of two folders: each expected picture with its partner among the actual ones, not compared yet,
-/// or missing; then the actual pictures that are nobody's partner: unexpected. Sorted by name. Of
-/// two files, that pair. Throws ImageError where a folder cannot be read.
-std::vector<ComparedPair> pairsIn(const std::string& expected, const std::string& actual);
-
-/// Compares the pair's pictures, which are not kept, and enters what came of it.
-void comparePictures(const ReadPicture& expected, const ReadPicture& actual,
-                     const CompareRequest& request, ComparedPair& pair);
-
-/// True where `a` is to come before `b` in a list of the worst first: unreadable or without
-/// partner, other sizes, many pixels over the tolerance, a large error; then by name.
-bool isWorse(const ComparedPair& a, const ComparedPair& b);
 
 const char* nameOf(ComparedPair::Result result);
 
@@ -73,19 +45,20 @@ std::string figureLines(const ComparedPair& pair, const CompareRequest& request)
 /// One line for each pair and one that counts them.
 std::string pairLines(const std::vector<ComparedPair>& pairs);
 
-/// Adds a row for each pair to what is in the file, a table of comma-separated values (RFC 4180)
+/// Adds a row for each pair to what is in request.csv, a table of comma-separated values (RFC 4180)
 /// that begins with our heading unless it is new or empty. Fields that a pair has no value for are
 /// empty. Waits for other runs that add to it. Throws OutputError.
-void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path);
+void addToCsv(const std::vector<ComparedPair>& pairs, const CompareRequest& request);
 
 /// The pair's pictures as they stand in the report: PNGs in HTML, one where both are equal, else
 /// both and that of their differences.
 std::string reportFigures(const ReadPicture& expected, const ReadPicture& actual,
                           const ComparedPair& pair);
 
-/// The page: HTML in one file that needs nothing from outside. Pairs come as they are given. Names
+/// The page: HTML in one file that needs nothing from outside. The worst come first: unreadable or
+/// without partner, other sizes, many pixels over the tolerance, a large error; then by name. Names
 /// may hold any bytes.
-std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request);
+std::string reportPage(std::vector<ComparedPair> pairs, const CompareRequest& request);
 
 // A table of commands: pictures, and the arguments of raytracer that give them.
 

@@ -64,14 +64,20 @@ std::string figureFields(const ComparedPair& pair) {
 }
 
 /// 21 fields, in the order of kCsvHeading.
-std::string csvRow(const ComparedPair& pair) {
+std::string csvRow(const ComparedPair& pair, const std::string& given) {
   return joined(quotedField(pair.name), ',', quotedField(pair.expected), ',',
                 quotedField(pair.actual), ',', nameOf(pair.result), ',',
                 sizeFields(pair.expectedSize), ',', sizeFields(pair.actualSize), ',',
-                figureFields(pair), ',', quotedField(pair.given), "\r\n");
+                figureFields(pair), ',', quotedField(given), "\r\n");
 }
 
 }  // namespace
+
+const char* nameOf(Result result) {
+  static constexpr const char* kNames[] = {"same", "different", "missing", "unexpected",
+                                           "unreadable"};
+  return kNames[int(result)];
+}
 
 /// A pair at fault has no sizes, and one of two sizes no figures that compare pixels.
 std::vector<Figure> figuresOf(const ComparedPair& pair, const CompareRequest& request) {
@@ -121,7 +127,8 @@ std::string pairLines(const std::vector<ComparedPair>& pairs) {
 
 /// The table is read, added to and replaced as a whole. Two runs at once would each lose the
 /// other's rows: each locks the folder meanwhile, for a lock on the file would go with the old one.
-void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path) {
+void addToCsv(const std::vector<ComparedPair>& pairs, const CompareRequest& request) {
+  const std::string& path = request.csv;
   std::error_code ignored;
   const fs::path target = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
   const OpenFile folder(target.parent_path().string());
@@ -135,6 +142,6 @@ void addToCsv(const std::vector<ComparedPair>& pairs, const std::string& path) {
     throw OutputError(path, "it does not begin with the heading of such a table");
   }
   if (text.back() != '\n') text += "\r\n";
-  for (const ComparedPair& pair : pairs) text += csvRow(pair);
+  for (const ComparedPair& pair : pairs) text += csvRow(pair, request.actual);
   writeFile(path, text.data(), text.size());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
+#include <tuple>
 
 #include "cli/compare.h"
 #include "image/picture_file.h"
@@ -174,6 +175,19 @@ std::string rowsOf(const ComparedPair& pair, const CompareRequest& request) {
   return rows;
 }
 
+/// What is alone or unreadable before other sizes, and these before other pixels. Greater is worse.
+auto badnessOf(const ComparedPair& pair) {
+  const int kind = pair.isAtFault() ? 2 : int(pair.result);
+  const bool otherSize = !pair.comparison && !pair.isAtFault();
+  const Comparison figures = pair.comparison.value_or(Comparison());
+  return std::make_tuple(kind, otherSize, figures.percentOver(), figures.rms);
+}
+
+bool isWorse(const ComparedPair& a, const ComparedPair& b) {
+  const auto p = badnessOf(a), q = badnessOf(b);
+  return p != q ? p > q : a.name < b.name;
+}
+
 }  // namespace
 
 std::string reportFigures(const ReadPicture& expected, const ReadPicture& actual,
@@ -197,7 +211,8 @@ std::string reportFigures(const ReadPicture& expected, const ReadPicture& actual
 
 /// Pairs are numbered from 1 on; their headings are what the keys go to. The script comes last:
 /// what it works on is then there.
-std::string reportPage(const std::vector<ComparedPair>& pairs, const CompareRequest& request) {
+std::string reportPage(std::vector<ComparedPair> pairs, const CompareRequest& request) {
+  std::stable_sort(pairs.begin(), pairs.end(), isWorse);
   const auto same = std::count_if(pairs.begin(), pairs.end(), [](const ComparedPair& pair) {
     return pair.result == ComparedPair::Result::same;
   });

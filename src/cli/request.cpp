@@ -29,14 +29,13 @@ std::string nameOf(const std::string& word) {
 
 /// Proposes the argument whose name, or second spelling, is nearest.
 [[noreturn]] void failUnknown(const std::string& word) {
-  if (nameOf(word).empty())
-    failUsage("expected an argument such as -input, found ", ::quoted(word));
+  refuseIf(nameOf(word).empty(), "expected an argument such as -input, found ", ::quoted(word));
   std::vector<std::string_view> names;
   for (const ArgumentRow& row : argumentTable()) {
     names.push_back(row.name);
     names.push_back(row.otherName);
   }
-  const std::string nearest(nearestWord(nameOf(word), WordList(names.data(), names.size())));
+  const std::string nearest(nearestWord(nameOf(word), names));
   failUsage(
       "unknown argument ", ::quoted(word), "; ",
       nearest.empty() ? "'raytracer -help' lists them all" : "did you mean '-" + nearest + "'?");
@@ -60,17 +59,17 @@ std::vector<std::string> separated(const std::vector<std::string>& words) {
   return all;
 }
 
-/// The words that follow words[at], which names the argument of `row`: as many as it needs, up to
+/// The words from words[next] on that are those of the argument `row`: as many as it needs, up to
 /// the next argument, and then all that it may have, up to the next word with a dash.
-std::vector<std::string> followingWords(const std::vector<std::string>& words, std::size_t at,
-                                        const ArgumentRow& row) {
+std::vector<std::string> wordsFor(const ArgumentRow& row, const std::vector<std::string>& words,
+                                  std::size_t next) {
   std::vector<std::string> found;
-  for (std::size_t next = at + 1; found.size() < row.mostWords; ++next) {
+  for (const std::size_t first = next; found.size() < row.mostWords; ++next) {
     const bool isEnd = next == words.size();
     const bool isNeeded = found.size() < row.leastWords;
     if (!isNeeded && (isEnd || !nameOf(words[next]).empty())) break;
     if (isEnd || (isNeeded && findArgument(nameOf(words[next]))))
-      failUsage(words[at], ": expected ", row.words, ", found ",
+      failUsage(words[first - 1], ": expected ", row.words, ", found ",
                 isEnd ? "the end of the command" : ::quoted(words[next]));
     found.push_back(words[next]);
   }
@@ -87,20 +86,17 @@ void startFrom(const Course& course, Draft& draft) {
 
 /// The course that the last -course chooses. A name that is none is told when its turn comes.
 const Course& courseOf(const std::vector<std::string>& words) {
-  const Course* course = &courseAt(0);
+  std::size_t place = 0;
   const WordList names(kCourseNames);
   for (std::size_t at = 1; at < words.size(); ++at) {
     const auto found = std::find(names.begin(), names.end(), words[at]);
-    if (nameOf(words[at - 1]) != "course" || found == names.end()) continue;
-    course = &courseAt(std::size_t(found - names.begin()));
+    if (nameOf(words[at - 1]) == "course" && found != names.end()) place = found - names.begin();
   }
-  return *course;
+  return courseAt(place);
 }
 
-/// Enters all arguments in `draft`; the rows of them all, in their order. Of equal arguments the
-/// last one wins.
-std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& words, Draft& draft) {
-  std::vector<const ArgumentRow*> rows;
+/// Enters all arguments in `draft`. Of equal arguments the last one wins.
+void readArguments(const std::vector<std::string>& words, Draft& draft) {
   std::vector<GivenArgument>& given = draft.render.given;
   std::vector<std::string> bareNames;  // of the arguments that words without a dash stand for
   if (draft.render.picture.course->hasBareFiles) bareNames = {"output", "input"};
@@ -108,50 +104,46 @@ std::vector<const ArgumentRow*> readArguments(const std::vector<std::string>& wo
     const bool isBare = nameOf(words[at]).empty() && !words[at].empty() && !bareNames.empty();
     const ArgumentRow* row = findArgument(isBare ? bareNames.back() : nameOf(words[at]));
     if (!row) failUnknown(words[at]);
-    GivenArgument argument = {row->name, {words[at]}};
-    if (isBare) {
-      bareNames.pop_back();
-    } else {
-      argument.words = followingWords(words, at, *row);
-    }
+    if (isBare) bareNames.pop_back();
+    const std::size_t first = at + (isBare ? 0 : 1);
+    const GivenArgument argument = {row->name, wordsFor(*row, words, first)};
     row->action->apply(ArgumentWords(*row, argument.words), draft);
     const auto isSame = [&](const GivenArgument& other) { return other.name == row->name; };
     given.erase(std::remove_if(given.begin(), given.end(), isSame), given.end());
     given.push_back(argument);
-    rows.push_back(row);
-    at += isBare ? 1 : 1 + argument.words.size();
+    at = first + argument.words.size();
   }
-  return rows;
 }
 
 /// -compare and -merge are modes of their own: what only renders has no place beside them, nor the
 /// other way round.
-void checkMode(const Request& request, const std::vector<const ArgumentRow*>& given) {
+void checkMode(const Request& request) {
   // Both may have been given: -compare then counts, and -merge is what does not belong.
   const Mode mode = request.compare.isWanted() ? Mode::comparing
                     : request.merge.isWanted() ? Mode::merging
                                                : Mode::rendering;
-  for (const ArgumentRow* row : given) {
-    if (row->action->mode == Mode::any || row->action->mode == mode) continue;
-    if (mode == Mode::rendering)
-      failUsage("-", row->name, ": expected -compare EXPECTED ACTUAL too, found none");
-    failUsage("-", row->name, " cannot be given together with ",
+  for (const GivenArgument& argument : request.render.given) {
+    const Mode wanted = actionOf(argument.name).mode;
+    if (wanted == Mode::any || wanted == mode) continue;
+    refuseIf(mode == Mode::rendering, "-", argument.name,
+             ": expected -compare EXPECTED ACTUAL too, found none");
+    failUsage("-", argument.name, " cannot be given together with ",
               mode == Mode::comparing ? "-compare" : "-merge");
   }
 }
 
-/// An argument that only `courses` know has been given with another one.
-[[noreturn]] void failCourse(const std::string& argument, const char* courses,
-                             const PictureRequest& picture) {
-  failUsage(argument, ": expected -course ", courses, " too, found the course of ",
-            std::string(picture.course->name));
+/// An argument that only `courses` know has been given with one that may be another.
+void checkCourse(bool isKnown, const std::string& argument, const char* courses,
+                 const Course& course) {
+  refuseIf(!isKnown, argument, ": expected -course ", courses, " too, found the course of ",
+           course.name);
 }
 
 /// What opens a window there.
 void takeIdle(Draft& draft) {
   PictureRequest& picture = draft.render.picture;
   if (draft.idle.empty()) return;
-  if (!picture.course->hasWindows) failCourse(draft.idle, "2004", picture);
+  checkCourse(picture.course->hasWindows, draft.idle, "2004", *picture.course);
   picture.notes.push_back("no window is opened: " + draft.idle + " without effect");
 }
 
@@ -161,15 +153,13 @@ void takeJitter(Draft& draft) {
   PictureRequest& picture = draft.render.picture;
   SamplingOptions& sampling = picture.render.sampling;
   if (!draft.isJittered && !draft.isFiltered) return;
-  const char* const argument = draft.isJittered ? "-jitter" : "-filter";
-  if (!picture.course->hasJitter) failCourse(argument, "2012, 2016 or 2020", picture);
+  checkCourse(picture.course->hasJitter, draft.isJittered ? "-jitter" : "-filter",
+              "2012, 2016 or 2020", *picture.course);
   if (!draft.isJittered) {
     picture.notes.push_back("nothing is filtered: -filter without -jitter has no effect");
     return;
   }
-  if (!sampling.isPlain()) {
-    failUsage("-jitter cannot be given together with other samples or filters");
-  }
+  refuseIf(!sampling.isPlain(), "-jitter cannot be given together with other samples or filters");
   sampling.pattern = SamplingOptions::Pattern::jittered;
   sampling.samples = SamplingOptions::kCells * SamplingOptions::kCells;
   picture.render.places.inset /= SamplingOptions::kCells;
@@ -182,24 +172,18 @@ void takeJitter(Draft& draft) {
 void checkComplete(const Draft& draft) {
   const ResultRequest& results = draft.render.results;
   const Acceleration& acceleration = draft.render.picture.acceleration;
-  if (acceleration.cellPicture != Acceleration::CellPicture::none &&
-      acceleration.kind != Acceleration::Kind::grid) {
-    const bool counts = acceleration.cellPicture == Acceleration::CellPicture::counts;
-    const bool isTree = acceleration.kind == Acceleration::Kind::tree;
-    failUsage(counts ? "-visualize_grid_count" : "-visualize_grid",
-              ": expected a grid to draw, for example -grid 20 20 20, found none",
-              isTree ? " but -accel tree" : "");
-  }
-  if (draft.render.picture.scene.empty()) {
-    failUsage("expected a scene, found no -input FILE");
-  }
-  if (results.outputs.empty() && !results.pixel && !results.preview && !results.stats &&
-      !draft.check) {
-    failUsage(
-        "expected something to do with the scene, found none of -output, -depth, -normals, "
-        "-render_samples, -render_filter, -materials, -heatmap, -pixel, -preview, -stats and "
-        "-check");
-  }
+  refuseIf(acceleration.cellPicture != Acceleration::CellPicture::none &&
+               acceleration.kind != Acceleration::Kind::grid,
+           acceleration.cellPicture == Acceleration::CellPicture::counts ? "-visualize_grid_count"
+                                                                         : "-visualize_grid",
+           ": expected a grid to draw, for example -grid 20 20 20, found none",
+           acceleration.kind == Acceleration::Kind::tree ? " but -accel tree" : "");
+  refuseIf(draft.render.picture.scene.empty(), "expected a scene, found no -input FILE");
+  refuseIf(results.outputs.empty() && !results.pixel && !results.preview && !results.stats &&
+               !draft.check,
+           "expected something to do with the scene, found none of -output, -depth, -normals, "
+           "-render_samples, -render_filter, -materials, -heatmap, -pixel, -preview, -stats and "
+           "-check");
 }
 
 std::string pixelsText(const PictureRequest& picture) {
@@ -212,9 +196,8 @@ void checkZooms(const RenderRequest& render) {
   for (const OutputRequest& output : render.results.outputs) {
     const int room = kMaxImageSide - (output.kind == Kind::filter ? 1 : 0);
     const int most = room / std::max(picture.width, picture.height);
-    if (output.zoom <= most) continue;
-    failUsage(output.argument(), ": expected a ZOOM of at most ", most, " for an image of ",
-              pixelsText(picture), ", found '", output.zoom, "'");
+    refuseIf(output.zoom > most, output.argument(), ": expected a ZOOM of at most ", most,
+             " for an image of ", pixelsText(picture), ", found '", output.zoom, "'");
   }
 }
 
@@ -222,9 +205,8 @@ void checkZooms(const RenderRequest& render) {
 void checkPixel(const RenderRequest& render) {
   const PictureRequest& picture = render.picture;
   const auto& pixel = render.results.pixel;
-  if (!pixel && render.results.find(Kind::rays)) {
-    failUsage("-pixel_obj: expected a pixel to trace, for example -pixel 50 50, found none");
-  }
+  refuseIf(!pixel && render.results.find(Kind::rays),
+           "-pixel_obj: expected a pixel to trace, for example -pixel 50 50, found none");
   if (!pixel || (pixel->x < picture.width && pixel->y < picture.height)) return;
   failUsage("-pixel: expected X below ", picture.width, " and Y below ", picture.height,
             ", the size of the image, found '", pixel->x, " ", pixel->y, "'");
@@ -235,25 +217,19 @@ void checkPixel(const RenderRequest& render) {
 void checkPart(const Draft& draft) {
   const ResultRequest& results = draft.render.results;
   const std::string name = draft.region ? "-region" : "-tile";
-  if (draft.region && draft.band) {
-    failUsage("-region and -tile cannot be given together");
-  }
-  if (results.find(Kind::samples) || results.find(Kind::filter)) {
-    failUsage(name, " cannot be given together with -render_samples or -render_filter");
-  }
-  if (results.find(Kind::materials) || results.find(Kind::heatmap) || results.pixel) {
-    failUsage(name, " cannot be given together with -materials, -heatmap or -pixel");
-  }
+  refuseIf(draft.region && draft.band, "-region and -tile cannot be given together");
+  refuseIf(results.find(Kind::samples) || results.find(Kind::filter), name,
+           " cannot be given together with -render_samples or -render_filter");
+  refuseIf(results.find(Kind::materials) || results.find(Kind::heatmap) || results.pixel, name,
+           " cannot be given together with -materials, -heatmap or -pixel");
 }
 
 /// The pixels of a region, counted from the lower left corner; it must lie in the picture.
 PixelRectangle areaOf(const Draft::Region& region, const PictureRequest& picture) {
   const int right = region.x + region.width, bottom = region.y + region.height;
-  if (right > picture.width || bottom > picture.height) {
-    failUsage("-region: expected a part of the image of ", pixelsText(picture),
-              ", found one that ends ", right, " pixels from the left and ", bottom,
-              " from the top");
-  }
+  refuseIf(right > picture.width || bottom > picture.height,
+           "-region: expected a part of the image of ", pixelsText(picture),
+           ", found one that ends ", right, " pixels from the left and ", bottom, " from the top");
   return {region.x, picture.height - bottom, right, picture.height - region.y};
 }
 
@@ -261,10 +237,8 @@ PixelRectangle areaOf(const Draft::Region& region, const PictureRequest& picture
 /// differ by one row at most.
 PixelRectangle areaOf(const Draft::Band& band, const PictureRequest& picture) {
   const int height = picture.height;
-  if (band.count > height) {
-    failUsage("-tile: expected an N of at most ", height, ", the rows of an image of ",
-              pixelsText(picture), ", found '", band.count, "'");
-  }
+  refuseIf(band.count > height, "-tile: expected an N of at most ", height,
+           ", the rows of an image of ", pixelsText(picture), ", found '", band.count, "'");
   const auto rowsAbove = [&](int bands) { return int(std::int64_t(bands) * height / band.count); };
   return {0, height - rowsAbove(band.number), picture.width, height - rowsAbove(band.number - 1)};
 }
@@ -309,10 +283,10 @@ Request parseRequest(const std::vector<std::string>& commandLine, const RunReque
   const std::vector<std::string> words = separated(commandLine);
   if (words.empty()) draft.text = ProgramText::shortHelp;
   startFrom(courseOf(words), draft);
-  const std::vector<const ArgumentRow*> given = readArguments(words, draft);
+  readArguments(words, draft);
   draft.run.threads = threadCount(draft.run);
   if (draft.text != ProgramText::none) return draft;
-  checkMode(draft, given);
+  checkMode(draft);
   if (draft.compare.isWanted() || draft.merge.isWanted()) return draft;
   checkComplete(draft);
   const PictureRequest& picture = draft.render.picture;
@@ -334,7 +308,6 @@ RenderRequest adapted(const RenderRequest& request, const Course& course,
     const ArgumentRow& row = *findArgument(given.name);
     row.action->apply(ArgumentWords(row, given.words), draft);
   }
-  draft.render.picture.course = &course;
   draft.render.picture.scene = request.picture.scene;  // a table's lies beside it, wherever it is
   draft.render.given = request.given;
   fitPicture(draft);
