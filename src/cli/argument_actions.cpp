@@ -8,6 +8,7 @@
 // fulfil together is no matter of theirs, but of request.cpp.
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -171,17 +172,31 @@ void setFilter(Words words, Draft& draft) {
   sampling.filter = filter;
 }
 
-/// Whether the region lies in the picture shows when the size is known.
+/// X Y W H, from the top left corner; the camera counts from the lower left one.
 void setRegion(Words words, Draft& draft) {
-  constexpr int kMost = kMaxImageSide;
-  draft.region = {words.integer(0, 0, kMost - 1), words.integer(1, 0, kMost - 1),
-                  words.integer(2, 1, kMost), words.integer(3, 1, kMost)};
+  const int x = words.integer(0, 0, kMaxImageSide - 1), y = words.integer(1, 0, kMaxImageSide - 1);
+  const int right = x + words.integer(2, 1, kMaxImageSide);
+  const int bottom = y + words.integer(3, 1, kMaxImageSide);
+  draft.region = [=](const PictureRequest& picture) -> PixelRectangle {
+    refuseIf(right > picture.width || bottom > picture.height,
+             "-region: expected a part of the image of ", picture.sizeText(),
+             ", found one that ends ", right, " pixels from the left and ", bottom,
+             " from the top");
+    return {x, picture.height - bottom, right, picture.height - y};
+  };
 }
 
-/// I N, where I counts from 1.
+/// I N, where I counts from 1. No picture has more bands than rows. They are cut so that their
+/// heights differ by one row at most.
 void setBand(Words words, Draft& draft) {
-  const int count = words.integer(1, 1, kMaxImageSide);
-  draft.band = {words.integer(0, 1, count), count};
+  const int count = words.integer(1, 1, kMaxImageSide), number = words.integer(0, 1, count);
+  draft.band = [=](const PictureRequest& picture) -> PixelRectangle {
+    const int height = picture.height;
+    refuseIf(count > height, "-tile: expected an N of at most ", height,
+             ", the rows of an image of ", picture.sizeText(), ", found '", count, "'");
+    const auto rowsAbove = [&](int bands) { return int(std::int64_t(bands) * height / count); };
+    return {0, height - rowsAbove(number), picture.width, height - rowsAbove(number - 1)};
+  };
 }
 
 /// The whole picture, then its parts; all are files.
@@ -212,9 +227,8 @@ void setGrid(Words words, Draft& draft) {
 
 /// Both may be files or folders; what they are is found out by the comparison.
 void setCompare(Words words, Draft& draft) {
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i)
     if (words[i].empty()) words.fail(i, "a file or folder");
-  }
   draft.compare.expected = words[0];
   draft.compare.actual = words[1];
 }

@@ -1,26 +1,23 @@
 // The table of all arguments, from which come the parser, `-help`, the manual page and bash's
 // completion; what each argument does; and the readers of the words that follow an argument.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cli/request.h"
 #include "scene/wording.h"
 
-/// A request whose arguments are being read. Places on the picture stay as they were given, in
-/// pixels from its top left corner, until its size is known. What it has beside the request is then
-/// done with, and cut off.
+/// A request whose arguments are being read. What it has beside the request waits until the size of
+/// the picture is known; it is then done with, and cut off.
 struct Draft : Request {
-  struct Region {
-    int x = 0, y = 0, width = 0, height = 0;
-  };
-  struct Band {
-    int number = 0, count = 0;  // 1 <= number <= count
-  };
-  std::optional<Region> region;  ///< -region
-  std::optional<Band> band;      ///< -tile
-  bool isJittered = false;       ///< -jitter
-  bool isFiltered = false;       ///< -filter
+  /// The pixels of the picture that are wanted, which depend on its size. Throws UsageError where
+  /// it has no such pixels.
+  using AreaOf = std::function<PixelRectangle(const PictureRequest& picture)>;
+  AreaOf region;            ///< of -region; empty where it is not given
+  AreaOf band;              ///< of -tile, likewise
+  bool isJittered = false;  ///< -jitter
+  bool isFiltered = false;  ///< -filter
   std::string idle;  ///< arguments that were accepted and do nothing, "-gui, -gouraud"; or ""
 };
 

@@ -66,7 +66,8 @@ void writeOut(const std::string& text) {
 
 }  // namespace
 
-std::string Stats::text(const PictureRequest& picture) const {
+std::string Stats::text(const PictureRequest& picture, int threads,
+                        std::size_t pictureBytes) const {
   const auto total = double(rays.total());
   std::ostringstream text;
   text << std::fixed << std::setprecision(6) << "instruction set: " << simd << "\ntree: " << tree

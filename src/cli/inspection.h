@@ -13,15 +13,14 @@
 /// What -stats prints.
 struct Stats {
   std::string simd, tree;  ///< SceneGeometry's simd() and description()
-  int threads = 0;
-  std::size_t pictureBytes = 0;  ///< of textures and cube maps
   double readSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0;
 
   RayCounts rays;
   RayTestCounts tests;  ///< not filled where cells are drawn
 
   /// A line `name: value` for each entry, in a fixed order, each with its end; of this picture.
-  std::string text(const PictureRequest& picture) const;
+  /// `pictureBytes` is the memory of textures and cube maps.
+  std::string text(const PictureRequest& picture, int threads, std::size_t pictureBytes) const;
 };
 
 /// Draws the heat map in its output and stores its scale there, where `outputs` has it.

@@ -1,48 +1,139 @@
 // The run of `raytracer -merge`: every part is looked at before a pixel is read, and each mistake
 // named; then the picture is put together row by row.
 //
-// Both go down the picture with the same list, PartsInRow: the parts that hold pixels of the row at
-// hand. Whether they cover the picture is asked once for each band of rows in which the list stays
-// the same: from left to right each part must begin where the one before ended. Where it begins
-// later there is a gap, where it begins earlier two parts overlap. For n parts in the widest band
-// that is O(n) a band, however large the picture.
+// The header of a part is that of our TGAs (see image/tga.cpp) but for the image ID and the origin.
+// Byte 0 of the 18 is the length of the ID, 2 the type (2: colours as they are), 8 to 15 are X, Y,
+// width and height, the low byte first, 16 the bits of a pixel, 17 the descriptor (0x20: top row
+// first). Then come the ID and the rows, BGR. Whatever has another header, ID or length is no part,
+// or a damaged one: each check has its own message, from "no such thing" to "cut off", so that a
+// user with hundreds of files sees at once what happened to one.
+//
+// Then it is checked whether the parts cover the picture, and their pixels are read. Both go down
+// the picture with the same list, PartsInRow: the parts that hold pixels of the row at hand. From
+// left to right each part must begin where the one before ended. Where it begins later there is a
+// gap, where it begins earlier two parts overlap.
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <map>
-#include <memory>
 #include <set>
+#include <sstream>
 #include <tuple>
-#include <utility>
 
 #include "cli/part_file.h"
 #include "cli/program.h"
 #include "cli/runs.h"
+#include "image/bytes.h"
 #include "image/output_file.h"
-#include "image/picture_file.h"
 #include "scene/input_error.h"
 #include "scene/wording.h"
+#include "system/files.h"
 #include "system/worker_threads.h"
 
 namespace {
 
-using Parts = std::vector<PartFile>;
-
 constexpr std::size_t kMostComplaints = 20;
 constexpr std::size_t kMostOpen = 256;  // files at a time
+constexpr std::size_t kHeader = 18, kMostId = 255;
+
+/// Pixels left <= x < right of rows top <= y < bottom, counted from 0 at the top and left.
+struct Area {
+  int left, top, right, bottom;
+};
+
+struct Part : Area {  // in the whole picture
+  std::string path;
+  PartId id;
+
+  int width() const { return right - left; }
+  /// Where row `y` of the picture begins in the file.
+  std::int64_t rowStart(int y) const {
+    return std::int64_t(kHeader + textOf(id).size()) + std::int64_t(3) * width() * (y - top);
+  }
+};
+using Parts = std::vector<Part>;
+
+[[noreturn]] void failPart(const std::string& path, const std::string& message) {
+  throw InputError(path, 0, message);
+}
+
+[[noreturn]] void failRead(const std::string& path) {
+  failPart(path, std::string("cannot be read: ") + std::strerror(errno));
+}
+
+void checkPart(bool isRight, const std::string& path, const std::string& found) {
+  if (isRight) return;
+  failPart(path, "expected a TGA that -region or -tile has written, found " + found);
+}
+
+/// Fewer bytes than `size` only at the end of the file. Throws InputError.
+std::size_t readAt(const Part& part, const OpenFile& file, std::int64_t offset,
+                   std::uint8_t* target, std::size_t size) {
+  const ssize_t count = file.isOpen() ? file.readAt(off_t(offset), target, size) : -1;
+  if (count < 0) failRead(part.path);
+  return std::size_t(count);
+}
+
+/// Apart from sizes and places, the header that a part has.
+bool isHeader(const std::uint8_t* header) {
+  const auto isZero = [](std::uint8_t byte) { return byte == 0; };
+  return header[1] == 0 && header[2] == 2 && std::all_of(header + 3, header + 8, isZero) &&
+         header[16] == 24 && header[17] == 0x20;
+}
+
+/// The words are read back and written anew: so every other spelling (blanks, leading zeros, a
+/// sign) is refused without a rule for each. True where `text` is what textOf gives for some `id`,
+/// which is then set.
+bool readId(const std::string& text, PartId& id) {
+  std::istringstream words(text);
+  std::string word;
+  words >> word >> word >> word >> id.kind >> id.width >> id.height >> id.fingerprint;
+  const auto isSide = [](int side) { return side >= 1 && side <= kMaxImageSide; };
+  return !words.fail() && textOf(id) == text && isSide(id.width) && isSide(id.height);
+}
+
+/// Reads all but the pixels, and checks that these are all there. Throws InputError where the file
+/// cannot be read, is no part, reaches out of its picture, or does not end with its last pixel.
+Part readPart(const std::string& path) {
+  const OpenFile file(path);
+  if (!file.isOpen()) failRead(path);
+  Part part = {{}, path, {}};
+  std::uint8_t header[kHeader + kMostId] = {};
+  const auto size = std::int64_t(file.regularSize());
+  checkPart(size >= 0, path, "no plain file");
+  const std::size_t found = readAt(part, file, 0, header, sizeof header);
+  checkPart(found >= kHeader, path, joined(size, " bytes"));
+  checkPart(isHeader(header), path, "another kind of file");
+  checkPart(header[0] > 0, path, "a TGA without an image ID, which is no part");
+  checkPart(found >= kHeader + header[0], path, joined(size, " bytes"));
+  const std::string id(header + kHeader, header + kHeader + header[0]);
+  checkPart(readId(id, part.id), path, "a TGA with another image ID");
+  const auto field = [&header](int at) { return int(littleEndian16(header + at)); };
+  static_cast<Area&>(part) = {field(8), field(10), field(8) + field(12), field(10) + field(14)};
+  if (part.width() == 0 || part.bottom == part.top || part.right > part.id.width ||
+      part.bottom > part.id.height) {
+    failPart(path, "damaged: its place is not in the picture that it is a part of");
+  }
+  const std::int64_t expected = part.rowStart(part.bottom);
+  if (size == expected) return part;
+  failPart(path, joined(size < expected ? "cut off: " : "", "expected ", expected, " bytes, found ",
+                        size, " bytes"));
+}
 
 /// The parts that hold pixels of a row, from left to right.
 class PartsInRow {
  public:
-  using Row = std::multimap<int, const PartFile*>;  // by their x
+  using Row = std::multimap<int, const Part*>;  // by their left ends
 
-  /// `parts` are in the order of their y, those of the same y of their x. Not owned.
+  /// `parts` are in the order of their tops, those of the same top of their left ends. Not owned.
   explicit PartsInRow(const Parts& parts) : next_(parts.begin()), end_(parts.end()) {}
 
-  /// To be called for rows further and further down, none in which a part begins left out.
+  /// To be called for each row from the top down.
   const Row& goTo(int y) {
     for (auto part = row_.begin(); part != row_.end();) {
-      part = part->second->bottom() <= y ? row_.erase(part) : std::next(part);
+      part = part->second->bottom <= y ? row_.erase(part) : std::next(part);
     }
-    for (; next_ != end_ && next_->y == y; ++next_) row_.emplace(next_->x, &*next_);
+    for (; next_ != end_ && next_->top == y; ++next_) row_.emplace(next_->left, &*next_);
     return row_;
   }
 
@@ -50,11 +141,6 @@ class PartsInRow {
   Parts::const_iterator next_;  // the first part that no row has reached
   const Parts::const_iterator end_;
   Row row_;
-};
-
-/// Pixels left <= x < right of rows top <= y < bottom, counted from 0 at the top and left.
-struct Area {
-  int left, top, right, bottom;
 };
 
 /// "row 3", or "rows 3 to 7": `to` is the first one that no longer belongs.
@@ -74,14 +160,8 @@ std::string areaText(const Area& area, int width) {
 class Cover {
  public:
   Cover(const Parts& parts, const PartId& whole) : width_(whole.width) {
-    // The list of parts in a row can only change where one of them begins or ends.
-    std::set<int> edges = {0, whole.height};
-    for (const PartFile& part : parts) edges.insert({part.y, part.bottom()});
     PartsInRow inRow(parts);
-    auto edge = edges.begin();
-    for (int top = *edge++; edge != edges.end(); top = *edge++) {
-      checkBand(top, *edge, inRow.goTo(top));
-    }
+    for (int y = 0; y < whole.height; ++y) checkRow(y, inRow.goTo(y));
     for (const Area& gap : gaps_) report(gap);
   }
 
@@ -89,22 +169,22 @@ class Cover {
   const std::vector<std::string>& mistakes() const { return mistakes_; }
 
  private:
-  /// Rows top <= y < bottom: from left to right, `end` being the first pixel that no part so far
-  /// holds. A part may lie inside an earlier one, which then still reaches furthest.
-  void checkBand(int top, int bottom, const PartsInRow::Row& row) {
+  /// From left to right, `end` being the first pixel that no part so far holds. A part may lie
+  /// inside an earlier one, which then still reaches furthest.
+  void checkRow(int y, const PartsInRow::Row& row) {
     int end = 0;
-    const PartFile* reaching = nullptr;  // the part that ends there
+    const Part* reaching = nullptr;  // the part that ends there
     for (const auto& [x, part] : row) {
-      if (x > end) addGap({end, top, x, bottom});
+      if (x > end) addGap({end, y, x, y + 1});
       if (x < end) addOverlap(*reaching, *part);
-      if (part->right() <= end) continue;
-      end = part->right();
+      if (part->right <= end) continue;
+      end = part->right;
       reaching = part;
     }
-    if (end < width_) addGap({end, top, width_, bottom});
+    if (end < width_) addGap({end, y, width_, y + 1});
   }
 
-  /// Joined to a gap of the same pixels in the band above.
+  /// Joined to a gap of the same pixels in the row above.
   void addGap(const Area& area) {
     for (Area& gap : gaps_) {
       if (gap.bottom != area.top || gap.left != area.left || gap.right != area.right) continue;
@@ -115,10 +195,10 @@ class Cover {
   }
 
   /// Each two parts are told of once, although they may meet in many rows.
-  void addOverlap(const PartFile& a, const PartFile& b) {
+  void addOverlap(const Part& a, const Part& b) {
     if (mistakes_.size() >= kMostComplaints || !overlapping_.insert({&a, &b}).second) return;
-    const Area both = {std::max(a.x, b.x), std::max(a.y, b.y), std::min(a.right(), b.right()),
-                       std::min(a.bottom(), b.bottom())};
+    const Area both = {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+                       std::min(a.bottom, b.bottom)};
     mistakes_.push_back(a.path + " and " + b.path + ": expected parts that do not overlap, found " +
                         areaText(both, width_) + " in both");
   }
@@ -127,15 +207,14 @@ class Cover {
   void report(const Area& gap) {
     const int rows = gap.bottom - gap.top;
     const bool isOne = rows == 1 && gap.left == 0 && gap.right == width_;
-    mistakes_.push_back("no part holds " + areaText(gap, width_) + "; -region " +
-                        std::to_string(gap.left) + " " + std::to_string(gap.top) + " " +
-                        std::to_string(gap.right - gap.left) + " " + std::to_string(rows) +
-                        " renders " + (isOne ? "it" : "them"));
+    mistakes_.push_back(joined("no part holds ", areaText(gap, width_), "; -region ", gap.left, ' ',
+                               gap.top, ' ', gap.right - gap.left, ' ', rows, " renders ",
+                               isOne ? "it" : "them"));
   }
 
   const int width_;
   std::vector<Area> gaps_;
-  std::set<std::pair<const PartFile*, const PartFile*>> overlapping_;
+  std::set<std::pair<const Part*, const Part*>> overlapping_;
   std::vector<std::string> mistakes_;
 };
 
@@ -144,7 +223,7 @@ Parts readParts(const std::vector<std::string>& paths, std::vector<std::string>&
   Parts parts;
   for (const std::string& path : paths) {
     try {
-      parts.push_back(PartFile::read(path));
+      parts.push_back(readPart(path));
     } catch (const InputError& error) {
       mistakes.push_back(error.what());
     }
@@ -164,12 +243,12 @@ std::string differenceText(const PartId& expected, const PartId& found) {
 /// Most parts say which picture it is, of as many the first one; the others are named.
 void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
   std::map<std::string, std::size_t> counts;
-  for (const PartFile& part : parts) ++counts[textOf(part.id)];
-  const auto isRarer = [&](const PartFile& a, const PartFile& b) {
+  for (const Part& part : parts) ++counts[textOf(part.id)];
+  const auto isRarer = [&](const Part& a, const Part& b) {
     return counts[textOf(a.id)] < counts[textOf(b.id)];
   };
-  const PartFile& usual = *std::max_element(parts.begin(), parts.end(), isRarer);
-  for (const PartFile& part : parts) {
+  const Part& usual = *std::max_element(parts.begin(), parts.end(), isRarer);
+  for (const Part& part : parts) {
     if (textOf(part.id) == textOf(usual.id)) continue;
     mistakes.push_back(part.path + ": expected a part of the same picture as " + usual.path +
                        ", found one of " + differenceText(usual.id, part.id));
@@ -182,14 +261,16 @@ void write(const Parts& parts, const std::string& path) {
   const int width = parts[0].id.width, height = parts[0].id.height;
   PartsInRow inRow(parts);
   Bytes row(3 * std::size_t(width));  // BGR
-  std::map<const PartFile*, std::unique_ptr<const OpenFile>> files;
+  std::map<const Part*, OpenFile> files;
   const auto rowAt = [&](int y) -> const Bytes& {
     for (const auto& [x, part] : inRow.goTo(y)) {
       // Files stay open for the rows to come, until there are too many: then all are closed.
       if (files.size() == kMostOpen && files.count(part) == 0) files.clear();
-      std::unique_ptr<const OpenFile>& file = files[part];
-      if (!file) file = PartFile::open(part->path);
-      part->readRow(*file, y - part->y, &row[3 * std::size_t(x)]);
+      const OpenFile& file = files.try_emplace(part, part->path).first->second;
+      const std::size_t size = 3 * std::size_t(part->width());
+      if (readAt(*part, file, part->rowStart(y), &row[3 * std::size_t(x)], size) < size) {
+        failPart(part->path, "has become shorter");
+      }
     }
     return row;
   };
@@ -213,8 +294,8 @@ int runMerge(const MergeRequest& request) {
   Parts parts = readParts(request.parts, mistakes);
   if (mistakes.empty()) checkSamePicture(parts, mistakes);
   if (mistakes.empty()) {
-    std::sort(parts.begin(), parts.end(), [](const PartFile& a, const PartFile& b) {
-      return std::tie(a.y, a.x, a.path) < std::tie(b.y, b.x, b.path);
+    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+      return std::tie(a.top, a.left, a.path) < std::tie(b.top, b.left, b.path);
     });
     mistakes = Cover(parts, parts[0].id).mistakes();
   }

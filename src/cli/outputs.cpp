@@ -15,7 +15,6 @@
 
 #include "cli/program.h"
 #include "image/output_file.h"
-#include "image/picture_file.h"
 #include "render/film.h"
 
 namespace {
@@ -164,12 +163,6 @@ std::vector<Output> outputsOf(const RenderRequest& render) {
     outputs.emplace_back(output, picture.isPart ? PictureFormat::tga : picture.course->format);
   }
   return outputs;
-}
-
-Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind) {
-  const auto isOfKind = [kind](const Output& output) { return output.kind == kind; };
-  const auto found = std::find_if(outputs.begin(), outputs.end(), isOfKind);
-  return found != outputs.end() ? &*found : nullptr;
 }
 
 /// Nothing is written or created for that.

@@ -40,9 +40,6 @@ struct Output : OutputRequest {
 /// course's format, but a part's always a TGA.
 std::vector<Output> outputsOf(const RenderRequest& render);
 
-/// The output of this kind, or null.
-Output* findOutput(std::vector<Output>& outputs, OutputRequest::Kind kind);
-
 /// Marks those that cannot be written, complaining of each, and returns how many can.
 std::size_t markUnwritable(std::vector<Output>& outputs);
 

@@ -1,14 +1,12 @@
-// PartFile: a part of a picture, as -region and -tile write it: a TGA that any viewer shows, whose
-// origin fields hold its place in the whole picture, and whose image ID says of which: by the
-// fingerprint of a picture, which is equal where two runs would give the same bytes.
+// A part of a picture, as -region and -tile write it: a TGA that any viewer shows, whose origin
+// fields hold its place in the whole picture, and whose image ID says of which: by the fingerprint
+// of a picture, which is equal where two runs would give the same bytes.
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/request.h"
-#include "image/bytes.h"
-#include "system/files.h"
+#include "image/picture_file.h"
 #include "system/sha256.h"
 
 /// The fingerprint: the digest of the program's version, the scene's bytes (`scene` is their
@@ -36,29 +34,9 @@ struct PartId {
 /// "raytracer part 1 KIND WIDTH HEIGHT FINGERPRINT", at most 110 bytes: the image ID.
 std::string textOf(const PartId& id);
 
-/// The ID of the parts of this output of the render. The fingerprint is pictureFingerprint's for
-/// this kind of picture alone, and without -size, -region and -tile: so one run may give several
-/// kinds, and another the same ones singly. It is of kind color, depth or normals; for the rest,
-/// and errors, see pictureFingerprint.
-PartId partIdOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
-                const std::vector<std::string>& inputFiles, int threads);
-
-struct PartFile {
-  std::string path;
-  PartId id;
-  int x = 0, y = 0, width = 0, height = 0;  ///< in the whole picture, from its top left corner
-
-  int right() const { return x + width; }
-  int bottom() const { return y + height; }
-
-  /// Reads all but the pixels, and checks that these are all there. Throws InputError where the
-  /// file cannot be read, is no part, or is cut off.
-  static PartFile read(const std::string& path);
-
-  /// Opens the file of a part, for readRow. Throws InputError.
-  static std::unique_ptr<const OpenFile> open(const std::string& path);
-
-  /// Copies row `row` of the part (0 is its top one) to `target`: 3 * width bytes, BGR. `file` is
-  /// this one, opened. Throws InputError where it cannot be read.
-  void readRow(const OpenFile& file, int row, std::uint8_t* target) const;
-};
+/// What marks this output of the render as a part: its place, and the ID. The fingerprint is
+/// pictureFingerprint's for this kind of picture alone, and without -size, -region and -tile: so
+/// one run may give several kinds, and another the same ones singly. It is of kind color, depth or
+/// normals; for the rest, and errors, see pictureFingerprint.
+TgaPlace partPlaceOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
+                     const std::vector<std::string>& inputFiles, int threads);

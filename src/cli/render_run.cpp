@@ -57,24 +57,112 @@ class RenderRun {
   }
 
   const SceneParser& scene() const { return scene_; }
-  /// To be had when all is traced; the checkpoint has then done its service.
-  std::vector<Output> takeOutputs();
 
   /// Says what is to be said of the scene, and prepares it for being rendered.
-  void prepare();
+  void prepare() {
+    prepareScene(scene_, request_.picture, run_.quiet);
+    stats_.readSeconds = watch_.restart();
+  }
+
   /// Finds out which outputs can be written, complaining of the others; false where none can that
   /// is wanted.
-  bool prepareOutputs();
+  bool prepareOutputs() {
+    if (markUnwritable(outputs_) == 0 && !outputs_.empty()) return false;
+    // A checkpoint needs them all: its tiles hold the pixels of every picture, for the run that can
+    // write them again.
+    if (run_.checkpoint.empty()) {
+      const auto isLost = [](const Output& output) { return !output.isWritable; };
+      outputs_.erase(std::remove_if(outputs_.begin(), outputs_.end(), isLost), outputs_.end());
+    }
+    if (!request_.picture.isPart) return true;
+    for (Output& output : outputs_) {  // each tells which picture it belongs to
+      output.place =
+          partPlaceOf(output, request_, notes_.digest, scene_.getInputFiles(), run_.threads);
+    }
+    return true;
+  }
+
   /// Compiles the scene and gives every output its image; where -stats or -preview wants rays and
   /// no output does, traces all the same.
-  void trace();
+  void trace() {
+    const PictureRequest& picture = request_.picture;
+    const ResultRequest& results = request_.results;
+    const std::string size = sizeText(picture.area.width(), picture.area.height()) + " pixels";
+    if (!wantsRays(outputs_) && (results.stats || (results.preview && !previewOf(outputs_)))) {
+      outputs_.emplace_back(OutputRequest());  // colours, which are not written
+    }
+    RenderTargets targets = withMemory("for images of " + size, [&] {
+      makeImages(outputs_, picture);
+      return targetsOf(picture, outputs_);
+    });
+    const bool isTraced = wantsRays(outputs_);
+    if (isTraced && !run_.checkpoint.empty()) openCheckpoint(targets);
+    const Output* const shown = results.preview ? previewOf(outputs_) : nullptr;
+    RunDisplay display(run_.progress, shown && isTraced ? &shown->image : nullptr,
+                       shown ? shown->zoom : 1);
+    targets.listener = &display;
+    if (isTraced || results.pixel || results.find(Kind::heatmap)) {
+      withMemory("to render " + size, [&] { traceRays(targets, isTraced, display); });
+    }
+    if (shown && !isTraced) status_ = print(pictureText(shown->image));
+  }
+
   /// Writes the outputs, prints what was found out, and returns the exit status.
-  int write();
+  int write() {
+    watch_.restart();
+    // A checkpoint is kept until everything that it stands for has been written.
+    const bool areAllWritten = writeAll(outputs_, run_.threads) == request_.results.outputs.size();
+    if (checkpoint_ && areAllWritten) checkpoint_->remove();
+    stats_.writeSeconds = watch_.restart();
+    std::string text;
+    for (const Output& output : outputs_) {
+      if (output.kind != Kind::rays) text += output.text;
+    }
+    if (request_.results.stats) {
+      text += stats_.text(request_.picture, run_.threads, scene_.getPictureBytes());
+    }
+    const int printed = print(text + lastLines_);
+    return areAllWritten ? std::max(printed, status_) : kOutputFailed;
+  }
+
+  /// To be had when all is traced; the checkpoint has then done its service.
+  std::vector<Output> takeOutputs() {
+    if (checkpoint_) checkpoint_->remove();
+    return std::move(outputs_);
+  }
 
  private:
-  void openCheckpoint(RenderTargets& targets);
-  void traceRays(const RenderTargets& targets, RunDisplay& display);
-  void inspect(const RayTracer& tracer);
+  void openCheckpoint(RenderTargets& targets) {
+    const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
+                                                  scene_.getInputFiles(), run_.threads);
+    checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
+    if (!run_.quiet) checkpoint_->tell();
+    targets.store = checkpoint_.get();
+  }
+
+  /// Those of the targets, where `isTraced`; and once more those of what is told besides, the heat
+  /// map and the pixel.
+  void traceRays(const RenderTargets& targets, bool isTraced, RunDisplay& display) {
+    const PictureRequest& picture = request_.picture;
+    const bool counts = request_.results.stats;
+    watch_.restart();
+    const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, picture.course->cells,
+                                 run_.threads, counts);
+    stats_.simd = geometry.simd();
+    stats_.tree = geometry.description();
+    stats_.buildSeconds = watch_.restart();
+    const RayTracer tracer(scene_, geometry.object(), picture.render);
+    if (isTraced) render(tracer, run_.threads, targets, counts ? &stats_.rays : nullptr);
+    stats_.traceSeconds = watch_.restart();
+    stats_.tests = geometry.tallied();
+    display.finish();
+    status_ = print(display.lastPicture());
+    if (Output* const materials = findOutput(outputs_, Kind::materials)) {
+      materials->text = materialLegend(scene_, materials->image);
+    }
+    drawHeatmap(tracer, run_, outputs_);
+    lastLines_ = inspectPixel(tracer, notes_.places, request_, outputs_);
+  }
 
   RenderRequest request_;
   const RunRequest& run_;
@@ -87,111 +175,6 @@ class RenderRun {
   std::string lastLines_;  // to be printed last
   int status_ = kDone;     // kOutputFailed where the preview could not be shown
 };
-
-void RenderRun::prepare() {
-  prepareScene(scene_, request_.picture, run_.quiet);
-  stats_.readSeconds = watch_.restart();
-}
-
-bool RenderRun::prepareOutputs() {
-  if (markUnwritable(outputs_) == 0 && !outputs_.empty()) return false;
-  // A checkpoint needs them all: its tiles hold the pixels of every picture, for the run that can
-  // write them again.
-  if (run_.checkpoint.empty()) {
-    const auto isLost = [](const Output& output) { return !output.isWritable; };
-    outputs_.erase(std::remove_if(outputs_.begin(), outputs_.end(), isLost), outputs_.end());
-  }
-  const PictureRequest& picture = request_.picture;
-  if (!picture.isPart) return true;
-  for (Output& output : outputs_) {  // each tells which picture it belongs to
-    const PartId id =
-        partIdOf(output, request_, notes_.digest, scene_.getInputFiles(), run_.threads);
-    output.place = {picture.area.left, picture.height - picture.area.top, textOf(id)};
-  }
-  return true;
-}
-
-void RenderRun::trace() {
-  const PictureRequest& picture = request_.picture;
-  const ResultRequest& results = request_.results;
-  const std::string size = sizeText(picture.area.width(), picture.area.height()) + " pixels";
-  if (!wantsRays(outputs_) && (results.stats || (results.preview && !previewOf(outputs_)))) {
-    outputs_.emplace_back(OutputRequest());  // colours, which are not written
-  }
-  RenderTargets targets = withMemory("for images of " + size, [&] {
-    makeImages(outputs_, picture);
-    return targetsOf(picture, outputs_);
-  });
-  const bool isTraced = wantsRays(outputs_);
-  if (isTraced && !run_.checkpoint.empty()) openCheckpoint(targets);
-  const Output* const shown = results.preview ? previewOf(outputs_) : nullptr;
-  RunDisplay display(run_.progress, shown && isTraced ? &shown->image : nullptr,
-                     shown ? shown->zoom : 1);
-  targets.listener = &display;
-  if (isTraced || results.pixel || results.find(Kind::heatmap)) {
-    withMemory("to render " + size, [&] { traceRays(targets, display); });
-  }
-  if (shown && !isTraced) status_ = print(pictureText(shown->image));
-}
-
-void RenderRun::openCheckpoint(RenderTargets& targets) {
-  const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
-                                                scene_.getInputFiles(), run_.threads);
-  checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
-  if (!run_.quiet) checkpoint_->tell();
-  targets.store = checkpoint_.get();
-}
-
-void RenderRun::traceRays(const RenderTargets& targets, RunDisplay& display) {
-  const PictureRequest& picture = request_.picture;
-  const bool counts = request_.results.stats;
-  watch_.restart();
-  const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, picture.course->cells,
-                               run_.threads, counts);
-  stats_.simd = geometry.simd();
-  stats_.tree = geometry.description();
-  stats_.threads = run_.threads;
-  stats_.pictureBytes = scene_.getPictureBytes();
-  stats_.buildSeconds = watch_.restart();
-  const RayTracer tracer(scene_, geometry.object(), picture.render);
-  if (wantsRays(outputs_)) {
-    render(tracer, run_.threads, targets, counts ? &stats_.rays : nullptr);
-  }
-  stats_.traceSeconds = watch_.restart();
-  stats_.tests = geometry.tallied();
-  display.finish();
-  status_ = print(display.lastPicture());
-  inspect(tracer);
-}
-
-/// What is told of the picture besides: rays are traced once more for the heat map and the pixel.
-void RenderRun::inspect(const RayTracer& tracer) {
-  if (Output* const materials = findOutput(outputs_, Kind::materials)) {
-    materials->text = materialLegend(scene_, materials->image);
-  }
-  drawHeatmap(tracer, run_, outputs_);
-  lastLines_ = inspectPixel(tracer, notes_.places, request_, outputs_);
-}
-
-int RenderRun::write() {
-  watch_.restart();
-  // A checkpoint is kept until everything that it stands for has been written.
-  const bool areAllWritten = writeAll(outputs_, run_.threads) == request_.results.outputs.size();
-  if (checkpoint_ && areAllWritten) checkpoint_->remove();
-  stats_.writeSeconds = watch_.restart();
-  std::string text;
-  for (const Output& output : outputs_) {
-    if (output.kind != Kind::rays) text += output.text;
-  }
-  if (request_.results.stats) text += stats_.text(request_.picture);
-  const int printed = print(text + lastLines_);
-  return areAllWritten ? std::max(printed, status_) : kOutputFailed;
-}
-
-std::vector<Output> RenderRun::takeOutputs() {
-  if (checkpoint_) checkpoint_->remove();
-  return std::move(outputs_);
-}
 
 }  // namespace
 

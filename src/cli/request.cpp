@@ -9,7 +9,6 @@
 #include "cli/request.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <string_view>
 
 #include "cli/arguments.h"
@@ -186,10 +185,6 @@ void checkComplete(const Draft& draft) {
            "-check");
 }
 
-std::string pixelsText(const PictureRequest& picture) {
-  return sizeText(picture.width, picture.height) + " pixels";
-}
-
 /// No picture is enlarged beyond the largest there is. That of a filter has a pixel more.
 void checkZooms(const RenderRequest& render) {
   const PictureRequest& picture = render.picture;
@@ -197,7 +192,7 @@ void checkZooms(const RenderRequest& render) {
     const int room = kMaxImageSide - (output.kind == Kind::filter ? 1 : 0);
     const int most = room / std::max(picture.width, picture.height);
     refuseIf(output.zoom > most, output.argument(), ": expected a ZOOM of at most ", most,
-             " for an image of ", pixelsText(picture), ", found '", output.zoom, "'");
+             " for an image of ", picture.sizeText(), ", found '", output.zoom, "'");
   }
 }
 
@@ -224,25 +219,6 @@ void checkPart(const Draft& draft) {
            " cannot be given together with -materials, -heatmap or -pixel");
 }
 
-/// The pixels of a region, counted from the lower left corner; it must lie in the picture.
-PixelRectangle areaOf(const Draft::Region& region, const PictureRequest& picture) {
-  const int right = region.x + region.width, bottom = region.y + region.height;
-  refuseIf(right > picture.width || bottom > picture.height,
-           "-region: expected a part of the image of ", pixelsText(picture),
-           ", found one that ends ", right, " pixels from the left and ", bottom, " from the top");
-  return {region.x, picture.height - bottom, right, picture.height - region.y};
-}
-
-/// Likewise of a band, of which no picture has more than rows. They are cut so that their heights
-/// differ by one row at most.
-PixelRectangle areaOf(const Draft::Band& band, const PictureRequest& picture) {
-  const int height = picture.height;
-  refuseIf(band.count > height, "-tile: expected an N of at most ", height,
-           ", the rows of an image of ", pixelsText(picture), ", found '", band.count, "'");
-  const auto rowsAbove = [&](int bands) { return int(std::int64_t(bands) * height / band.count); };
-  return {0, height - rowsAbove(band.number), picture.width, height - rowsAbove(band.number - 1)};
-}
-
 /// Under a limit only so many that their stacks, of 2 MB and more, leave room for the rest.
 int threadCount(const RunRequest& run) {
   constexpr int kMegabytesEach = 8;
@@ -264,18 +240,12 @@ void fitPicture(Draft& draft) {
   checkPixel(draft.render);
   picture.isPart = draft.region || draft.band;
   if (picture.isPart) checkPart(draft);
-  picture.area = draft.region ? areaOf(*draft.region, picture)
-                 : draft.band ? areaOf(*draft.band, picture)
+  picture.area = draft.region ? draft.region(picture)
+                 : draft.band ? draft.band(picture)
                               : PixelRectangle{0, 0, picture.width, picture.height};
 }
 
 }  // namespace
-
-const OutputRequest* ResultRequest::find(OutputRequest::Kind kind) const {
-  for (const OutputRequest& output : outputs)
-    if (output.kind == kind) return &output;
-  return nullptr;
-}
 
 Request parseRequest(const std::vector<std::string>& commandLine, const RunRequest& defaults) {
   Draft draft;

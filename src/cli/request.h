@@ -53,6 +53,9 @@ struct PictureRequest {
   SceneRules rules;                     ///< likewise
   std::vector<std::string> notes;       ///< on arguments that were accepted and do nothing
   Acceleration acceleration;
+
+  /// "640 x 480 pixels", of the whole picture.
+  std::string sizeText() const { return ::sizeText(width, height) + " pixels"; }
 };
 
 /// A file that rendering writes.
@@ -77,6 +80,15 @@ struct OutputRequest {
   const char* argument() const;
 };
 
+/// The one of this kind among some outputs, requested or made; null where there is none.
+template <class Outputs>
+auto findOutput(Outputs& outputs, OutputRequest::Kind kind) -> decltype(outputs.data()) {
+  for (auto& output : outputs) {
+    if (output.kind == kind) return &output;
+  }
+  return nullptr;
+}
+
 /// A pixel as users count: from the picture's top left corner, (0, 0).
 struct PictureSpot {
   int x = 0, y = 0;
@@ -90,7 +102,7 @@ struct ResultRequest {
   bool stats = false;                  ///< print what was used and how long it took
 
   /// The output of this kind, or null.
-  const OutputRequest* find(OutputRequest::Kind kind) const;
+  const OutputRequest* find(OutputRequest::Kind kind) const { return findOutput(outputs, kind); }
 };
 
 /// How the program runs, whatever it does.

@@ -37,21 +37,19 @@ void warnOfSimd(SimdLevel wanted) {
 
 /// Numbers of samples may have been rounded up.
 void warnOfSamples(const SamplingOptions& wanted, const Course& course) {
-  const bool isAdaptive = wanted.pattern == Pattern::adaptive;
   const Sampler sampler(wanted);
   const int first = sampler.getNumFirst(), most = sampler.getNumSamples();
-  if (wanted.pattern == Pattern::center || (first == wanted.samples && !isAdaptive)) return;
-  if (first == wanted.samples && most == wanted.maxSamples) return;
-  const char* const grid = course.uniformSamples == Pattern::uniform ? "-uniform" : "-regular";
-  std::string argument = wanted.pattern == Pattern::uniform ? grid : "-jittered";
-  std::string numbers = std::to_string(wanted.samples), rounded = std::to_string(first);
-  if (isAdaptive) {
-    argument = "-adaptive";
-    numbers += " " + std::to_string(wanted.maxSamples);
-    rounded += " and " + std::to_string(most);
+  const bool isKept = first == wanted.samples;
+  if (wanted.pattern == Pattern::adaptive) {
+    if (isKept && most == wanted.maxSamples) return;
+    complain(joined("warning: -adaptive_samples ", wanted.samples, ' ', wanted.maxSamples,
+                    ": rounded up to ", first, " and ", most,
+                    ", a square and this times a power of 4"));
+  } else if (wanted.pattern != Pattern::center && !isKept) {
+    const char* const grid = course.uniformSamples == Pattern::uniform ? "uniform" : "regular";
+    complain(joined("warning: -", wanted.pattern == Pattern::uniform ? grid : "jittered",
+                    "_samples ", wanted.samples, ": rounded up to ", first, ", a square"));
   }
-  complain("warning: " + argument + "_samples " + numbers + ": rounded up to " + rounded +
-           ", a square" + (isAdaptive ? " and this times a power of 4" : ""));
 }
 
 /// An automatic epsilon looks at the thickness itself.
