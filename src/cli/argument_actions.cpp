@@ -2,8 +2,8 @@
 // order of the list that -help prints.
 //
 // Most arguments set one member of one piece of the request. They share a few functions that are
-// told which member that is, so that their rows say all: set, setInteger, setFile, setChoice. Where
-// several arguments speak of the same thing (patterns of samples, filters, -shadows and
+// told which member that is, so that their rows say all: set, setIntegers, setFile, setChoice.
+// Where several arguments speak of the same thing (patterns of samples, filters, -shadows and
 // -no_shadows), the last one given wins, as it does among equal ones. What several arguments must
 // fulfil together is no matter of theirs, but of request.cpp.
 #include <algorithm>
@@ -42,10 +42,11 @@ void set(Words, Draft& draft) {
   memberOf(draft, member) = value;
 }
 
-/// One whole number, from `least` to `most`.
-template <auto member, int least, int most>
-void setInteger(Words words, Draft& draft) {
-  memberOf(draft, member) = words.integer(0, least, most);
+/// Whole numbers from `least` to `most`, a word for each member.
+template <int least, int most, auto... members>
+void setIntegers(Words words, Draft& draft) {
+  std::size_t index = 0;
+  ((memberOf(draft, members) = words.integer(index++, least, most)), ...);
 }
 
 /// One file, "-" being standard input or output; with ArgumentWords::picture a picture's.
@@ -107,11 +108,6 @@ void addIdle(Words words, Draft& draft) {
 void addTessellation(Words words, Draft& draft) {
   for (std::size_t i = 0; i < 2; ++i) words.integer(i, 1, std::numeric_limits<int>::max());
   addIdle(words, draft);
-}
-
-void setSize(Words words, Draft& draft) {
-  draft.render.picture.width = words.integer(0, 1, kMaxImageSide);
-  draft.render.picture.height = words.integer(1, 1, kMaxImageSide);
 }
 
 /// The first word is no number of at least 0, nor one of the `alternatives`, ", this or that".
@@ -279,13 +275,13 @@ constexpr ArgumentAction kActions[] = {
     {"course", checkCourse, Mode::rendering, kCourseNames},
 
     unseen({"output", wantPicture<Kind::color>}),
-    {"size", setSize},
+    {"size", setIntegers<1, kMaxImageSide, &PictureRequest::width, &PictureRequest::height>},
     unseen({"depth", wantDepth}),
     unseen({"normals", wantPicture<Kind::normals>}),
     unseen({"materials", wantPicture<Kind::materials>}),
     unseen({"heatmap", wantPicture<Kind::heatmap>}),
 
-    {"bounces", setInteger<&RenderOptions::maxBounces, 0, kMaxBounces>},
+    {"bounces", setIntegers<0, kMaxBounces, &RenderOptions::maxBounces>},
     {"weight", setWeight},
     {"epsilon", setEpsilon, Mode::rendering, kEpsilons},
 
@@ -312,15 +308,15 @@ constexpr ArgumentAction kActions[] = {
     {"tile", setBand},
     {"merge", setMerge, Mode::merging},
     unseen({"checkpoint", setCheckpoint}),
-    unseen({"memory_limit", setInteger<&RunRequest::memoryLimit, 1, kMaxMemoryLimit>, Mode::any}),
+    unseen({"memory_limit", setIntegers<1, kMaxMemoryLimit, &RunRequest::memoryLimit>, Mode::any}),
 
-    unseen({"threads", setInteger<&RunRequest::threads, 1, kMaxThreads>, Mode::any}),
+    unseen({"threads", setIntegers<1, kMaxThreads, &RunRequest::threads>, Mode::any}),
     unseen({"accel", setChoice<&Acceleration::kind>, Mode::rendering, kAccelerators}),
     {"grid", setGrid},
     unseen({"simd", setChoice<&Acceleration::simd, false>, Mode::rendering, kSimdNames}),
 
     {"compare", setCompare, Mode::comparing},
-    {"tolerance", setInteger<&CompareRequest::tolerance, 0, 255>, Mode::comparing},
+    {"tolerance", setIntegers<0, 255, &CompareRequest::tolerance>, Mode::comparing},
     {"fail_percent", setFailPercent, Mode::comparing},
     {"diff", setFile<&CompareRequest::diff, &ArgumentWords::picture>, Mode::comparing},
     {"report", setFile<&CompareRequest::report>, Mode::comparing},

@@ -186,21 +186,28 @@ Bytes Checkpoint::recordOf(std::uint32_t tile) const {
   return record;
 }
 
-/// The number of the tile whose whole record begins with the mark at `at`, where there is one. In
-/// either case `record` has about as many bytes as were read.
-std::optional<std::uint32_t> Checkpoint::readRecord(off_t at, Bytes& record) const {
+/// Sets the pixels of the tile whose whole record begins with the mark at `at`; false where there
+/// is none. In either case `record` has about as many bytes as were read.
+bool Checkpoint::takeRecord(off_t at, Bytes& record) {
   record.resize(kHeadSize);
-  if (readAt(at, record) < kHeadSize) return std::nullopt;
+  if (readAt(at, record) < kHeadSize) return false;
   std::uint32_t tile;
   std::memcpy(&tile, &record[sizeof kMark], sizeof tile);
-  if (tile >= found_.size()) return std::nullopt;
+  if (tile >= found_.size()) return false;
+  const std::vector<PixelBytes> rows = targets_.rowsOf(tiling_.areaOf(int(tile)));
   std::size_t size = kHeadSize;
-  for (const PixelBytes& row : targets_.rowsOf(tiling_.areaOf(int(tile)))) size += row.size;
+  for (const PixelBytes& row : rows) size += row.size;
   record.resize(size + sizeof(Digest));
-  if (readAt(at, record) < record.size()) return std::nullopt;
+  if (readAt(at, record) < record.size()) return false;
   const Digest sum = checksumOf(record.data(), size);
-  if (!std::equal(sum.begin(), sum.end(), &record[size])) return std::nullopt;
-  return tile;
+  if (!std::equal(sum.begin(), sum.end(), &record[size])) return false;
+  const std::uint8_t* next = &record[kHeadSize];
+  for (const PixelBytes& row : rows) {
+    std::memcpy(row.bytes, next, row.size);
+    next += row.size;
+  }
+  found_[tile] = true;
+  return true;
 }
 
 /// The mark is looked for in pieces that overlap by so much that none is cut. Each mark that begins
@@ -216,21 +223,13 @@ void Checkpoint::readTiles() {
     if (mark == end && size < kSearchPiece) break;
     at += std::min(mark - piece.begin(), std::ptrdiff_t(kSearchPiece - sizeof kMark + 1));
     if (mark == end) continue;
-    const auto tile = readRecord(at, record);
-    if (!tile) {
+    if (!takeRecord(at, record)) {
       inVain += off_t(size + record.size());
       ++at;
       continue;
     }
-    const std::uint8_t* next = &record[kHeadSize];
-    for (const PixelBytes& row : targets_.rowsOf(tiling_.areaOf(int(*tile)))) {
-      std::memcpy(row.bytes, next, row.size);
-      next += row.size;
-    }
-    found_[*tile] = true;
     damaged_ = damaged_ || at > end_;
-    at += off_t(record.size());
-    end_ = at;
+    end_ = at += off_t(record.size());
   }
   if (ftruncate(file_.descriptor(), end_) != 0) fail(errno);
 }

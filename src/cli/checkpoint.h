@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +41,7 @@ class Checkpoint : public TileStore {
   void checkHeader();
   void readTiles();
   std::size_t readAt(off_t offset, Bytes& target) const;
-  std::optional<std::uint32_t> readRecord(off_t at, Bytes& record) const;
+  bool takeRecord(off_t at, Bytes& record);
   Bytes recordOf(std::uint32_t tile) const;
   Digest checksumOf(const std::uint8_t* record, std::size_t size) const;
   void write(const Bytes& bytes);

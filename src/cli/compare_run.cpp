@@ -160,10 +160,7 @@ void comparePair(const CompareRequest& request, const ReadPicture* rendered, Com
 /// are one file, or one goes to standard output beside the figures.
 void checkOutputs(Names pictures, const CompareRequest& request, bool quiet) {
   for (const std::string& output : {request.diff, request.report, request.csv}) {
-    for (const std::string& other : pictures) {
-      refuseIf(isSameOutput(other, output), "-compare: expected different files, found '", other,
-               "' and '", output, "'");
-    }
+    for (const std::string& other : pictures) checkDifferent("-compare", other, output);
     pictures.push_back(output);
     refuseIf(
         !quiet && isSameOutput(output, "-"),

@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 #include "cli/run_display.h"
@@ -37,15 +38,13 @@ void addRays(const RayCounts& rays, std::ostream& text) {
        << "\nshadow rays: " << rays.shadowRays()
        << "\nshadow rays blocked: " << rays.blockedShadowRays()
        << "\nrays to the background: " << rays.misses() << '\n';
-  std::uint64_t rest = 0;
-  for (std::size_t bounces = 0; bounces < rays.byBounces().size(); ++bounces) {
-    const std::uint64_t count = rays.byBounces()[bounces];
-    if (bounces < kLongestList) {
-      text << "rays after " << bounces << " bounces: " << count << '\n';
-    } else {
-      rest += count;
-    }
+  const std::vector<std::uint64_t>& all = rays.byBounces();
+  const std::size_t listed = std::min(all.size(), kLongestList);
+  for (std::size_t bounces = 0; bounces < listed; ++bounces) {
+    text << "rays after " << bounces << " bounces: " << all[bounces] << '\n';
   }
+  const auto rest =
+      std::accumulate(all.begin() + std::ptrdiff_t(listed), all.end(), std::uint64_t(0));
   if (rest > 0) text << "rays after more bounces: " << rest << '\n';
   text << "branches ended by bounces: " << rays.ends(Outcome::tooManyBounces)
        << "\nbranches ended by weight: " << rays.ends(Outcome::tooFaint)
@@ -57,11 +56,6 @@ void addTests(const char* what, const TestCounts& tests, std::uint64_t rays, std
   text << "nodes visited for " << what << ": " << tests.nodes << "\nprimitives tested for " << what
        << ": " << tests.primitives << "\nprimitives tested per ray for " << what << ": "
        << ratio(double(tests.primitives), double(rays)) << '\n';
-}
-
-/// A line of the report; nothing once standard output has failed.
-void writeOut(const std::string& text) {
-  if (!std::ferror(stdout)) std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 }  // namespace
@@ -104,9 +98,11 @@ std::string inspectPixel(const RayTracer& tracer, const ObjectPlaces& places,
   if (!render.results.pixel) return "";
   const PictureRequest& picture = render.picture;
   const PictureSpot at = *render.results.pixel;
-  // One observer tells what becomes of each ray, in words; the other one, where it is wanted, keeps
-  // where the ray went.
-  const auto report = makeRayReport(tracer, places, writeOut);
+  // One observer tells what becomes of each ray, in words, until standard output fails; the other
+  // one, where it is wanted, keeps where the ray went.
+  const auto report = makeRayReport(tracer, places, [](const std::string& line) {
+    if (!std::ferror(stdout)) std::fwrite(line.data(), 1, line.size(), stdout);
+  });
   // A ray that meets nothing is drawn as long as the scene.
   const double span = tracer.scene().getSpan();
   RayLines lines(tracer, span > 0 ? span : kEscapeLength);

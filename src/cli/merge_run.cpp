@@ -1,12 +1,10 @@
 // The run of `raytracer -merge`: every part is looked at before a pixel is read, and each mistake
 // named; then the picture is put together row by row.
 //
-// The header of a part is that of our TGAs (see image/tga.cpp) but for the image ID and the origin.
-// Byte 0 of the 18 is the length of the ID, 2 the type (2: colours as they are), 8 to 15 are X, Y,
-// width and height, the low byte first, 16 the bits of a pixel, 17 the descriptor (0x20: top row
-// first). Then come the ID and the rows, BGR. Whatever has another header, ID or length is no part,
-// or a damaged one: each check has its own message, from "no such thing" to "cut off", so that a
-// user with hundreds of files sees at once what happened to one.
+// The header of a part is that of our TGAs (see image/tga.cpp), but that byte 0 is the length of
+// the image ID, which follows its 18 bytes, and bytes 8 to 11 are X and Y. Whatever has another
+// header, ID or length is no part, or a damaged one: each check has its own message, from "no such
+// thing" to "cut off", so that a user with hundreds of files sees at once what happened to one.
 //
 // Then it is checked whether the parts cover the picture, and their pixels are read. Both go down
 // the picture with the same list, PartsInRow: the parts that hold pixels of the row at hand. From
@@ -43,12 +41,13 @@ struct Area {
 
 struct Part : Area {  // in the whole picture
   std::string path;
-  PartId id;
+  PartId id{};
+  std::size_t headSize = 0;  // bytes before the pixels
 
   int width() const { return right - left; }
   /// Where row `y` of the picture begins in the file.
   std::int64_t rowStart(int y) const {
-    return std::int64_t(kHeader + textOf(id).size()) + std::int64_t(3) * width() * (y - top);
+    return std::int64_t(headSize) + std::int64_t(3) * width() * (y - top);
   }
 };
 using Parts = std::vector<Part>;
@@ -76,9 +75,9 @@ std::size_t readAt(const Part& part, const OpenFile& file, std::int64_t offset,
 
 /// Apart from sizes and places, the header that a part has.
 bool isHeader(const std::uint8_t* header) {
-  const auto isZero = [](std::uint8_t byte) { return byte == 0; };
-  return header[1] == 0 && header[2] == 2 && std::all_of(header + 3, header + 8, isZero) &&
-         header[16] == 24 && header[17] == 0x20;
+  static constexpr std::uint8_t kStart[] = {0, 2, 0, 0, 0, 0, 0};
+  return std::equal(std::begin(kStart), std::end(kStart), header + 1) && header[16] == 24 &&
+         header[17] == 0x20;
 }
 
 /// The words are read back and written anew: so every other spelling (blanks, leading zeros, a
@@ -97,7 +96,7 @@ bool readId(const std::string& text, PartId& id) {
 Part readPart(const std::string& path) {
   const OpenFile file(path);
   if (!file.isOpen()) failRead(path);
-  Part part = {{}, path, {}};
+  Part part = {{}, path};
   std::uint8_t header[kHeader + kMostId] = {};
   const auto size = std::int64_t(file.regularSize());
   checkPart(size >= 0, path, "no plain file");
@@ -105,8 +104,9 @@ Part readPart(const std::string& path) {
   checkPart(found >= kHeader, path, joined(size, " bytes"));
   checkPart(isHeader(header), path, "another kind of file");
   checkPart(header[0] > 0, path, "a TGA without an image ID, which is no part");
-  checkPart(found >= kHeader + header[0], path, joined(size, " bytes"));
-  const std::string id(header + kHeader, header + kHeader + header[0]);
+  part.headSize = kHeader + header[0];
+  checkPart(found >= part.headSize, path, joined(size, " bytes"));
+  const std::string id(header + kHeader, header + part.headSize);
   checkPart(readId(id, part.id), path, "a TGA with another image ID");
   const auto field = [&header](int at) { return int(littleEndian16(header + at)); };
   static_cast<Area&>(part) = {field(8), field(10), field(8) + field(12), field(10) + field(14)};
@@ -289,6 +289,9 @@ void write(const Parts& parts, const std::string& path) {
 }  // namespace
 
 int runMerge(const MergeRequest& request) {
+  for (const std::string& part : request.parts) {
+    checkDifferent("-merge: OUT and PART", request.output, part);
+  }
   checkOutput(request.output);
   std::vector<std::string> mistakes;
   Parts parts = readParts(request.parts, mistakes);

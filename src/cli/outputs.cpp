@@ -5,9 +5,9 @@
 // says so (it compares device and number), or, for files that are not there yet, where following
 // all links leads both to one path.
 //
-// An output goes through four steps, each for all outputs of the run: can it be written
-// (markUnwritable), which leaves the disk as it is; an image of its size (makeImages); the places
-// that the renderer fills (targetsOf), which the table kKinds knows; the file (writeAll).
+// An output goes through three steps, each for all outputs of the run: can it be written
+// (markUnwritable), which leaves the disk as it is; an image of its size (makeImages), which is
+// one that the renderer fills where the table kKinds says so; the file (writeAll).
 #include "cli/outputs.h"
 
 #include <algorithm>
@@ -54,30 +54,28 @@ std::string printingArgument(const ResultRequest& results) {
   return results.preview ? "-preview" : "";
 }
 
-/// A file and the argument that names it.
-struct NamedFile {
-  const char* argument;
-  std::string file;
-};
+constexpr const char* kDifferentFiles = ": expected different files, found '";
 
-/// Two arguments name one file.
-[[noreturn]] void refuse(const NamedFile& a, const NamedFile& b) {
-  failUsage(a.argument, " and ", b.argument, ": expected different files, found '", a.file,
-            "' and '", b.file, "'");
-}
-
-/// Calls work(); returns false, complaining, where an output fails for any reason.
+/// Calls work(output) for each output that has a file and has not failed before. Complains of each
+/// that fails now, for whatever reason, and marks it; returns how many did not. One that fails
+/// costs none of the others. They come in the order of their kinds, so that their messages do too.
 template <class Work>
-bool succeeds(const Output& output, const Work& work) {
-  try {
-    work();
-    return true;
-  } catch (const std::bad_alloc&) {
-    complain(outputTitle(output.file) + ": not enough memory to write it");
-  } catch (const std::exception& error) {
-    complain(error.what());
+std::size_t attemptEach(std::vector<Output>& outputs, const Work& work) {
+  std::size_t done = 0;
+  for (Output& output : outputs) {
+    if (output.file.empty() || !output.isWritable) continue;
+    output.isWritable = false;
+    try {
+      work(output);
+      output.isWritable = true;
+      ++done;
+    } catch (const std::bad_alloc&) {
+      complain(outputTitle(output.file) + ": not enough memory to write it");
+    } catch (const std::exception& error) {
+      complain(error.what());
+    }
   }
-  return false;
+  return done;
 }
 
 /// What there is to know of each kind of output, in the order of Kind: the argument that asks for
@@ -123,36 +121,35 @@ bool isSameOutput(const std::string& a, const std::string& b) {
   return (a == "-" && b == "-") || isSamePlace(outputPath(a), outputPath(b));
 }
 
-void checkFiles(const RenderRequest& render, const std::string& checkpoint,
-                const std::vector<std::string>& inputFiles) {
-  const NamedFile input = {"-input", render.picture.scene};
-  const std::string printing = printingArgument(render.results);
-  std::vector<NamedFile> outputs;
-  for (const OutputRequest& output : render.results.outputs) {
-    outputs.push_back({output.argument(), output.file});
-  }
-  if (!checkpoint.empty()) outputs.push_back({"-checkpoint", checkpoint});
-  // Each output against the scene, standard output where lines go there, the outputs before it, and
-  // the files that the scene reads.
-  for (const NamedFile& output : outputs) {
-    if (isSamePlace(inputPath(input.file), outputPath(output.file))) refuse(input, output);
-    if (!printing.empty() && isSameOutput(output.file, "-")) {
-      failUsage(printing, ": expected standard output for its lines, found an image there");
-    }
-    for (const NamedFile* other = outputs.data(); other != &output; ++other) {
-      if (isSameOutput(other->file, output.file)) refuse(*other, output);
-    }
-    for (const std::string& file : inputFiles) {
-      if (!isSameOutput(file, output.file)) continue;
-      failUsage(output.argument, ": expected a file that the scene does not read, found '",
-                output.file, "', one of its meshes or pictures");
-    }
-  }
+void checkDifferent(const std::string& arguments, const std::string& a, const std::string& b) {
+  refuseIf(isSameOutput(a, b), arguments, kDifferentFiles, a, "' and '", b, "'");
 }
 
-void checkMergedFiles(const MergeRequest& merge) {
-  for (const std::string& part : merge.parts) {
-    if (isSameOutput(part, merge.output)) refuse({"-merge: OUT", merge.output}, {"PART", part});
+void checkFiles(const RenderRequest& render, const std::string& checkpoint,
+                const std::vector<std::string>& inputFiles) {
+  const std::string& scene = render.picture.scene;
+  const std::string printing = printingArgument(render.results);
+  std::vector<std::pair<std::string, std::string>> outputs;  // arguments and their files
+  for (const OutputRequest& output : render.results.outputs) {
+    outputs.emplace_back(output.argument(), output.file);
+  }
+  if (!checkpoint.empty()) outputs.emplace_back("-checkpoint", checkpoint);
+  // Each output against the scene, standard output where lines go there, the outputs before it, and
+  // the files that the scene reads.
+  for (const auto& [argument, file] : outputs) {
+    refuseIf(isSamePlace(inputPath(scene), outputPath(file)), "-input and ", argument,
+             kDifferentFiles, scene, "' and '", file, "'");
+    refuseIf(!printing.empty() && isSameOutput(file, "-"), printing,
+             ": expected standard output for its lines, found an image there");
+    for (const auto& [other, otherFile] : outputs) {
+      if (other == argument) break;
+      checkDifferent(other + " and " + argument, otherFile, file);
+    }
+    for (const std::string& input : inputFiles) {
+      refuseIf(isSameOutput(input, file), argument,
+               ": expected a file that the scene does not read, found '", file,
+               "', one of its meshes or pictures");
+    }
   }
 }
 
@@ -167,37 +164,29 @@ std::vector<Output> outputsOf(const RenderRequest& render) {
 
 /// Nothing is written or created for that.
 std::size_t markUnwritable(std::vector<Output>& outputs) {
-  std::size_t writable = 0;
-  for (Output& output : outputs) {
-    output.isWritable = succeeds(output, [&] { checkOutput(output.file); });
-    writable += output.isWritable;
-  }
-  return writable;
-}
-
-void makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
-  const PixelRectangle& area = picture.area;
-  for (Output& output : outputs) {
-    // The filter's picture has nothing to do with rays, and that of one pixel's rays is a text.
-    if (output.kind == Kind::filter) {
-      const SamplingOptions& sampling = picture.render.sampling;
-      output.image = drawFilter(Filter(sampling), picture.width, picture.height, output.zoom);
-    } else if (output.kind != Kind::rays) {
-      output.image = Image(area.width() * output.zoom, area.height() * output.zoom);
-      if (wantsFloats(output)) output.exact = FloatImage(area.width(), area.height());
-    }
-  }
+  return attemptEach(outputs, [](const Output& output) { checkOutput(output.file); });
 }
 
 /// The window counts from the lower left corner, as the camera does.
-RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outputs) {
+RenderTargets makeImages(std::vector<Output>& outputs, const PictureRequest& picture) {
+  const PixelRectangle& area = picture.area;
   RenderTargets targets;
   targets.hasSignedNormals = picture.course->hasSignedNormals;
-  targets.window = {picture.area.left, picture.area.bottom, picture.width, picture.height};
+  targets.window = {area.left, area.bottom, picture.width, picture.height};
   for (Output& output : outputs) {
+    // The filter's picture has nothing to do with rays, and that of one pixel's rays is a text.
+    if (output.kind == Kind::filter) {
+      const Filter filter(picture.render.sampling);
+      output.image = drawFilter(filter, picture.width, picture.height, output.zoom);
+    } else if (output.kind != Kind::rays) {
+      output.image = Image(area.width() * output.zoom, area.height() * output.zoom);
+    }
     const KindRow& row = rowOf(output.kind);
     if (row.image) targets.*row.image = &output.image;
-    if (wantsFloats(output)) targets.*row.exact = &output.exact;
+    if (wantsFloats(output)) {
+      output.exact = FloatImage(area.width(), area.height());
+      targets.*row.exact = &output.exact;
+    }
     if (output.kind == Kind::samples) targets.samplesZoom = output.zoom;
     if (output.kind != Kind::depth) continue;
     targets.depthMin = output.depthMin;
@@ -213,14 +202,6 @@ bool wantsRays(const std::vector<Output>& outputs) {
   return std::any_of(outputs.begin(), outputs.end(), isTraced);
 }
 
-/// One that fails costs none of the others. They come in the order of their kinds, so that their
-/// messages do too.
-std::size_t writeAll(const std::vector<Output>& outputs, int threads) {
-  std::size_t written = 0;
-  for (const Output& output : outputs) {
-    // One without a file was traced for -stats or -preview alone.
-    if (output.file.empty() || !output.isWritable) continue;
-    written += succeeds(output, [&] { write(output, threads); });
-  }
-  return written;
+std::size_t writeAll(std::vector<Output>& outputs, int threads) {
+  return attemptEach(outputs, [threads](const Output& output) { write(output, threads); });
 }

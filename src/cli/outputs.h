@@ -20,8 +20,8 @@ bool isSameOutput(const std::string& a, const std::string& b);
 void checkFiles(const RenderRequest& render, const std::string& checkpoint,
                 const std::vector<std::string>& inputFiles = {});
 
-/// Throws UsageError where the merged picture would replace one of its parts.
-void checkMergedFiles(const MergeRequest& merge);
+/// Throws UsageError, in the name of the `arguments` that name them, where both are the same.
+void checkDifferent(const std::string& arguments, const std::string& a, const std::string& b);
 
 /// An output and what is in it. One without a file is traced and not written.
 struct Output : OutputRequest {
@@ -33,27 +33,24 @@ struct Output : OutputRequest {
   TgaPlace place;          ///< of a part, where the file is a TGA
   FloatImage exact;        ///< its unclamped colours, empty where the format of the file has none
   std::string text;        ///< of `rays`: what is written; of `heatmap`: its scale
-  bool isWritable = true;  ///< false where this was tried and complained of
+  bool isWritable = true;  ///< false where it could not be, which has been complained of
 };
 
 /// The outputs that are wanted, without their images. A name without an ending is a file of the
 /// course's format, but a part's always a TGA.
 std::vector<Output> outputsOf(const RenderRequest& render);
 
-/// Marks those that cannot be written, complaining of each, and returns how many can.
+/// Marks those whose files cannot be written, complaining of each, and returns how many can.
 std::size_t markUnwritable(std::vector<Output>& outputs);
 
 /// Gives every output a black image of its size (that of a part where one is wanted), and draws
-/// that of the filter. Throws std::bad_alloc where memory is short.
-void makeImages(std::vector<Output>& outputs, const PictureRequest& picture);
-
-/// Where the pictures go that the renderer fills. What is returned points into `outputs`, which
-/// have their images.
-RenderTargets targetsOf(const PictureRequest& picture, std::vector<Output>& outputs);
+/// that of the filter. Returns those that the renderer fills; it points into `outputs`. Throws
+/// std::bad_alloc where memory is short.
+RenderTargets makeImages(std::vector<Output>& outputs, const PictureRequest& picture);
 
 /// False where the renderer has nothing to do.
 bool wantsRays(const std::vector<Output>& outputs);
 
-/// Writes every output that is not marked with at most `threads` threads, complaining of each that
-/// fails, and returns how many were written.
-std::size_t writeAll(const std::vector<Output>& outputs, int threads);
+/// Writes every output that has a file and is not marked, with at most `threads` threads,
+/// complaining of each that fails, and returns how many were written.
+std::size_t writeAll(std::vector<Output>& outputs, int threads);

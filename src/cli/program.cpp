@@ -40,7 +40,6 @@ int answer(const Request& request) {
   if (request.check) return checkScene(request.render.picture, request.run.quiet);
   if (request.compare.isWanted()) return runComparison(request.compare, request.run);
   if (!request.merge.isWanted()) return renderScene(request.render, request.run);
-  checkMergedFiles(request.merge);
   return withMemory("to merge", [&] { return runMerge(request.merge); });
 }
 

@@ -91,10 +91,8 @@ class RenderRun {
     if (!wantsRays(outputs_) && (results.stats || (results.preview && !previewOf(outputs_)))) {
       outputs_.emplace_back(OutputRequest());  // colours, which are not written
     }
-    RenderTargets targets = withMemory("for images of " + size, [&] {
-      makeImages(outputs_, picture);
-      return targetsOf(picture, outputs_);
-    });
+    RenderTargets targets =
+        withMemory("for images of " + size, [&] { return makeImages(outputs_, picture); });
     const bool isTraced = wantsRays(outputs_);
     if (isTraced && !run_.checkpoint.empty()) openCheckpoint(targets);
     const Output* const shown = results.preview ? previewOf(outputs_) : nullptr;

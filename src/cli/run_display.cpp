@@ -149,7 +149,7 @@ RunDisplay::RunDisplay(std::optional<bool> progress, const Image* preview, int z
 }
 
 RunDisplay::~RunDisplay() {
-  if (!isProgressOpen_ || !isLineOpen()) return;  // a message may have ended it
+  if (!isLineOpen()) return;  // a message may have ended it
   std::fputc('\n', stderr);
   setLineOpen(false);
 }
@@ -190,7 +190,7 @@ void RunDisplay::drawProgress() {
   const std::size_t length = text.size();
   text.resize(std::max(length, lengthDrawn_), ' ');
   lengthDrawn_ = length;
-  setLineOpen(isProgressOpen_ = true);
+  setLineOpen(true);
   std::fprintf(stderr, "\rraytracer: %s", text.c_str());
   std::fflush(stderr);
 }
@@ -201,7 +201,7 @@ void RunDisplay::finish() {
   rays_ = allRays_;
   drawProgress();
   std::fputc('\n', stderr);
-  setLineOpen(isProgressOpen_ = false);
+  setLineOpen(false);
 }
 
 std::string RunDisplay::lastPicture() const {

@@ -79,7 +79,6 @@ class RunDisplay : public TileListener {
   std::optional<TerminalPicture> picture_;  // where it is shown as it grows
   int linesDrawn_ = 0;                      // of the picture
   std::size_t lengthDrawn_ = 0;             // of the line of progress
-  bool isProgressOpen_ = false;             // that line has no end yet
   Clock::time_point start_, nextTime_;      // of the tracing, and when the next update is due
   double allRays_ = 0, rays_ = 0;
   std::mutex mutex_;  // guards all that changes while tiles are traced

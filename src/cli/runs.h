@@ -21,15 +21,15 @@ std::vector<Output> renderPictures(const RenderRequest& request, const RunReques
 /// Puts the parts together and writes the whole picture in the format of its file's ending.
 /// Returns kDone; or, after complaining of each mistake, kSceneAtFault where a part cannot be read,
 /// belongs to another picture, overlaps another or is missing: nothing is then written. Throws
-/// OutputError where the picture cannot be written.
+/// UsageError where the picture would replace a part, OutputError where it cannot be written.
 int runMerge(const MergeRequest& request);
 
 /// Compares what `request` names, prints the figures to standard output and writes the picture,
-/// report and table that are wanted. Two files are compared as pictures, two folders by pairsIn. Of
-/// a folder and a file, the file is a table of commands: each is rendered, and its pictures are
-/// compared with those of the same name, or the same name but for the ending, in the folder;
-/// pictures of the folder that no command gives are a difference too. `run` says how.
-/// Returns 0 where all pairs are the same; 3 where a picture, a folder, the table or the scene of a
-/// command cannot be read; else 1: a pair is different or alone, or an output failed. Throws
-/// UsageError.
+/// report and table that are wanted. Two files are compared as pictures, two folders picture by
+/// picture: those that have the same path in them, or the same but for the ending. Of a folder and
+/// a file, the file is a table of commands: each is rendered, and its pictures are compared with
+/// those of the same name in the folder, likewise; pictures of the folder that no command gives are
+/// a difference too. `run` says how. Returns 0 where all pairs are the same; 3 where a picture, a
+/// folder, the table or the scene of a command cannot be read; else 1: a pair is different or
+/// alone, or an output failed. Throws UsageError.
 int runComparison(const CompareRequest& request, const RunRequest& run);
