@@ -63,8 +63,10 @@ void setChoice(Words words, Draft& draft) {
   value = std::decay_t<decltype(value)>(words.choice(proposes));
 }
 
-/// Enters the output in place of one of the same kind, or where its kind stands in the order.
-void want(Draft& draft, const OutputRequest& output) {
+/// Enters the output that the argument of `words` asks for, in place of one of the same kind, or
+/// where its kind stands in the order.
+void want(Words words, Draft& draft, OutputRequest output) {
+  output.argument = "-" + words.name();
   std::vector<OutputRequest>& outputs = draft.render.results.outputs;
   const auto isBefore = [](const OutputRequest& a, const OutputRequest& b) {
     return a.kind < b.kind;
@@ -76,14 +78,14 @@ void want(Draft& draft, const OutputRequest& output) {
 /// A picture as large as the one that is rendered, or the file of a pixel's rays.
 template <Kind kind>
 void wantPicture(Words words, Draft& draft) {
-  want(draft, {kind, kind == Kind::rays ? words.file(0) : words.picture(0)});
+  want(words, draft, {kind, kind == Kind::rays ? words.file(0) : words.picture(0)});
 }
 
 /// Whether the enlarged picture is too large shows when the size is known.
 template <Kind kind>
 void wantEnlarged(Words words, Draft& draft) {
   const int zoom = words.integer(1, 1, kMaxImageSide);
-  want(draft, {kind, words.picture(0), 0, 0, zoom});
+  want(words, draft, {kind, words.picture(0), 0, 0, zoom});
 }
 
 /// MIN MAX FILE, or FILE MIN MAX where the first word is no number.
@@ -93,7 +95,7 @@ void wantDepth(Words words, Draft& draft) {
   const double depthMin = words.anyNumber(first, std::string("MIN") + kOrders);
   const double depthMax = words.anyNumber(first + 1, std::string("MAX") + kOrders);
   if (depthMin == depthMax) words.fail(first, "MIN and MAX to differ");
-  want(draft, {Kind::depth, words.picture(first == 0 ? 2 : 0), depthMin, depthMax});
+  want(words, draft, {Kind::depth, words.picture(first == 0 ? 2 : 0), depthMin, depthMax});
 }
 
 /// The course holds since before the first argument: startFrom. Here its name is checked.

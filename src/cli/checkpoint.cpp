@@ -20,6 +20,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "cli/program.h"
 #include "image/output_file.h"
@@ -75,9 +76,7 @@ Checkpoint::Checkpoint(const std::string& path, const Digest& picture, const Ren
       found_(std::size_t(tiling_.count())),
       file_(path, O_RDWR | O_CREAT | O_NOCTTY | O_NONBLOCK) {
   if (!file_.isOpen()) fail(errno);
-  if (file_.regularSize() < 0) {
-    throw UsageError("-checkpoint: expected a plain file, found '" + path + "'");
-  }
+  refuseIf(file_.regularSize() < 0, "-checkpoint: expected a plain file, found '", path, "'");
   struct stat status = {};
   if (!file_.lock(false) || fstat(file_.descriptor(), &status) != 0 || status.st_nlink == 0) {
     throw OutputError(path, "another run keeps its checkpoint there");
@@ -102,8 +101,7 @@ void Checkpoint::finish(const PixelRectangle& area) {
     try {
       write(record);
     } catch (const OutputError& error) {
-      if (!complained_) complain(std::string("warning: ") + error.what());
-      complained_ = true;
+      if (!std::exchange(complained_, true)) complain(std::string("warning: ") + error.what());
     }
   }
 }
@@ -141,17 +139,15 @@ void Checkpoint::checkHeader() {
   const auto isSame = [&](std::size_t from, std::size_t count) {
     return std::memcmp(&found[from], &header[from], count) == 0;
   };
-  if (!isSame(0, std::min(size, sizeof kTitle)) && !isSame(sizeof kTitle, sizeof fingerprint_)) {
-    throw UsageError("-checkpoint: expected a file that this program has made, found '" + path_ +
-                     "', which is something else");
-  }
+  refuseIf(!isSame(0, std::min(size, sizeof kTitle)) && !isSame(sizeof kTitle, sizeof fingerprint_),
+           "-checkpoint: expected a file that this program has made, found '", path_,
+           "', which is something else");
   const std::size_t summed = sizeof kTitle + sizeof fingerprint_;
   const Digest sum = sha256(found.data(), summed);
-  if (std::equal(sum.begin(), sum.end(), &found[summed])) {
-    throw UsageError("-checkpoint: '" + path_ +
-                     "' was made from another scene, other meshes, pictures or arguments; expected "
-                     "the command that made it, or no such file");
-  }
+  refuseIf(
+      std::equal(sum.begin(), sum.end(), &found[summed]), "-checkpoint: '", path_,
+      "' was made from another scene, other meshes, pictures or arguments; expected the command "
+      "that made it, or no such file");
   damaged_ = size == header.size();
   end_ = 0;
   write(header);

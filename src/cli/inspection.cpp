@@ -116,12 +116,9 @@ std::string inspectPixel(const RayTracer& tracer, const ObjectPlaces& places,
   // The colour is the picture's, of all samples; what was reported is the central ray. So it is
   // told last, in numbers and as the bytes that a file has.
   const Rgb8 bytes = bytesFromColor(color);
-  std::ostringstream result;
-  if (!picture.render.sampling.isPlain()) {
-    result << "the rays above come of the one through the pixel's centre; the colour of all its "
-              "samples, filtered:\n";
-  }
-  result << "color " << textOf(color) << "\npixel " << at.x << ' ' << at.y << " = " << int(bytes.r)
-         << ' ' << int(bytes.g) << ' ' << int(bytes.b) << '\n';
-  return result.str();
+  const char* const note =
+      "the rays above come of the one through the pixel's centre; the colour of all its samples, "
+      "filtered:\n";
+  return joined(picture.render.sampling.isPlain() ? "" : note, "color ", textOf(color), "\npixel ",
+                at.x, ' ', at.y, " = ", int(bytes.r), ' ', int(bytes.g), ' ', int(bytes.b), '\n');
 }

@@ -78,22 +78,20 @@ std::size_t attemptEach(std::vector<Output>& outputs, const Work& work) {
   return done;
 }
 
-/// What there is to know of each kind of output, in the order of Kind: the argument that asks for
-/// it, and what the renderer fills for it; null where it does not.
+/// What the renderer fills for each kind of output, in the order of Kind; null where it does not.
 struct KindRow {
-  const char* argument;
   Image* RenderTargets::*image;
   FloatImage* RenderTargets::*exact;
 };
 constexpr KindRow kKinds[] = {
-    {"-output", &RenderTargets::color, &RenderTargets::exactColor},
-    {"-depth", &RenderTargets::depth, &RenderTargets::exactDepth},
-    {"-normals", &RenderTargets::normals, &RenderTargets::exactNormals},
-    {"-render_samples", &RenderTargets::samples, nullptr},
-    {"-render_filter", nullptr, nullptr},
-    {"-materials", &RenderTargets::materials, nullptr},
-    {"-heatmap", nullptr, nullptr},
-    {"-pixel_obj", nullptr, nullptr},
+    {&RenderTargets::color, &RenderTargets::exactColor},
+    {&RenderTargets::depth, &RenderTargets::exactDepth},
+    {&RenderTargets::normals, &RenderTargets::exactNormals},
+    {&RenderTargets::samples, nullptr},
+    {nullptr, nullptr},  // filter
+    {&RenderTargets::materials, nullptr},
+    {nullptr, nullptr},  // heatmap
+    {nullptr, nullptr},  // rays
 };
 
 const KindRow& rowOf(Kind kind) { return kKinds[std::size_t(kind)]; }
@@ -114,8 +112,6 @@ void write(const Output& output, int threads) {
 
 }  // namespace
 
-const char* OutputRequest::argument() const { return rowOf(kind).argument; }
-
 bool isSameOutput(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return false;
   return (a == "-" && b == "-") || isSamePlace(outputPath(a), outputPath(b));
@@ -131,7 +127,7 @@ void checkFiles(const RenderRequest& render, const std::string& checkpoint,
   const std::string printing = printingArgument(render.results);
   std::vector<std::pair<std::string, std::string>> outputs;  // arguments and their files
   for (const OutputRequest& output : render.results.outputs) {
-    outputs.emplace_back(output.argument(), output.file);
+    outputs.emplace_back(output.argument, output.file);
   }
   if (!checkpoint.empty()) outputs.emplace_back("-checkpoint", checkpoint);
   // Each output against the scene, standard output where lines go there, the outputs before it, and

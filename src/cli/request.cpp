@@ -191,7 +191,7 @@ void checkZooms(const RenderRequest& render) {
   for (const OutputRequest& output : render.results.outputs) {
     const int room = kMaxImageSide - (output.kind == Kind::filter ? 1 : 0);
     const int most = room / std::max(picture.width, picture.height);
-    refuseIf(output.zoom > most, output.argument(), ": expected a ZOOM of at most ", most,
+    refuseIf(output.zoom > most, output.argument, ": expected a ZOOM of at most ", most,
              " for an image of ", picture.sizeText(), ", found '", output.zoom, "'");
   }
 }

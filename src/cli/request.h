@@ -75,9 +75,7 @@ struct OutputRequest {
   double depthMin = 0;  ///< of `depth`: the distance that is drawn white, or, by Course, black
   double depthMax = 0;  ///< likewise black, or white; never equal to depthMin
   int zoom = 1;  ///< of `samples` and `filter`: their pictures' sides are at most kMaxImageSide
-
-  /// The argument that asks for it, with its dash.
-  const char* argument() const;
+  std::string argument{};  ///< that asks for it, with its dash
 };
 
 /// The one of this kind among some outputs, requested or made; null where there is none.

@@ -6,8 +6,6 @@
 // place of the scene.
 #include "cli/scene_setup.h"
 
-#include <sstream>
-
 #include "accel/compiled_scene.h"
 #include "accel/grid/grid.h"
 #include "accel/grid/grid_view.h"
@@ -55,11 +53,9 @@ void warnOfSamples(const SamplingOptions& wanted, const Course& course) {
 /// An automatic epsilon looks at the thickness itself.
 void warnOfThinGlass(const ThinSolid& thinnest, const Epsilon& epsilon, const std::string& file) {
   if (epsilon.kind != Epsilon::Kind::fixed || thinnest.thickness >= epsilon.value) return;
-  std::ostringstream text;
-  text << "warning: " << file << ":" << thinnest.line << ": the transparent object is "
-       << thinnest.thickness << " thick, less than the epsilon of " << epsilon.value
-       << ": rays that enter it pass its back; -epsilon adaptive sees it";
-  complain(text.str());
+  complain(joined("warning: ", file, ":", thinnest.line, ": the transparent object is ",
+                  thinnest.thickness, " thick, less than the epsilon of ", epsilon.value,
+                  ": rays that enter it pass its back; -epsilon adaptive sees it"));
 }
 
 }  // namespace
@@ -104,8 +100,7 @@ int checkScene(const PictureRequest& picture, bool quiet) {
   for (const InputError& mistake : mistakes) complain(mistake.what());
   // There may be more of them.
   if (mistakes.size() >= MistakeLog::kCapacity) {
-    complain(displayName(file) + ": reading ended with mistake number " +
-             std::to_string(mistakes.size()));
+    complain(joined(displayName(file), ": reading ended with mistake number ", mistakes.size()));
   }
   if (!mistakes.empty()) return kSceneAtFault;
   return print(displayName(file) + ": no mistakes found\n");
