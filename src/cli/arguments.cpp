@@ -4,9 +4,8 @@
 // In the list a line at the left is the heading of a group. An argument stands two columns further
 // right, with the names of its words in capitals, perhaps a second spelling behind a comma, and
 // what it does, which goes on in lines that begin further right. So what is told of an argument, in
-// any text, and how many words the parser takes for it cannot differ. The groups go from what every
-// run needs to what few ask for; what each argument does is looked up by its name in
-// argument_actions.cpp.
+// any text, and how many words the parser takes for it cannot differ. What each argument does is
+// looked up by its name in argument_actions.cpp.
 //
 // A number must fill its whole word and lie within its limits; a message names the argument, says
 // what was expected, and shows the word as it was found.
@@ -188,6 +187,7 @@ ArgumentRow readHeading(const std::string& group, const std::string& heading) {
   words >> row.name;
   for (std::string word; words >> word; ++row.mostWords) {
     row.words += (row.words.empty() ? "" : " ") + word;
+    row.wordNames.push_back(word);
     row.leastWords += word[0] != '[';
   }
   if (row.words.find("...") != std::string::npos) row.mostWords = std::string::npos;
@@ -251,20 +251,11 @@ void ArgumentWords::fail(std::size_t index, const std::string& expected) const {
   failUsage("-", row_.name, ": expected ", expected, ", found ", ::quoted(words_[index]));
 }
 
-/// As the table calls it.
-std::string ArgumentWords::nameOfWord(std::size_t index) const {
-  std::istringstream names(row_.words);
-  std::string name;
-  for (std::size_t i = 0; i <= index; ++i) names >> name;
-  return name;
-}
-
 /// The message has the limits and what the table calls the word.
 int ArgumentWords::integer(std::size_t index, int least, int most) const {
   int value = 0;
   if (readInt(words_[index], value) && value >= least && value <= most) return value;
-  fail(index, "a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
-                  " for " + nameOfWord(index));
+  fail(index, joined("a whole number from ", least, " to ", most, " for ", row_.wordNames[index]));
 }
 
 /// `expected` names the limits, which are numbers of another kind each time.

@@ -51,6 +51,7 @@ struct ArgumentRow {
   /// The words that follow it, separated by single blanks; may be "". A last word that ends in
   /// "..." may be repeated, a single one in brackets be left out.
   std::string words;
+  std::vector<std::string> wordNames;         ///< the same, each for itself
   std::size_t leastWords = 0, mostWords = 0;  ///< how many must follow, and how many may
   /// What it does and what holds when it is not given: one sentence without a full stop, in one
   /// line.
@@ -96,8 +97,6 @@ class ArgumentWords {
   [[noreturn]] void fail(std::size_t index, const std::string& expected) const;
 
  private:
-  std::string nameOfWord(std::size_t index) const;
-
   const ArgumentRow& row_;
   const std::vector<std::string>& words_;
 };

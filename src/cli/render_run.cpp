@@ -19,20 +19,8 @@
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using Kind = OutputRequest::Kind;
-
-/// Seconds from one call of restart() to the next.
-class Stopwatch {
- public:
-  /// Seconds since the start, or since the last restart; begins anew.
-  double restart() {
-    const auto begin = std::exchange(start_, std::chrono::steady_clock::now());
-    return std::chrono::duration<double>(start_ - begin).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// What -preview shows: the first of these pictures that is there, or null.
 const Output* previewOf(std::vector<Output>& outputs) {
@@ -61,7 +49,7 @@ class RenderRun {
   /// Says what is to be said of the scene, and prepares it for being rendered.
   void prepare() {
     prepareScene(scene_, request_.picture, run_.quiet);
-    stats_.readSeconds = watch_.restart();
+    stats_.readSeconds = secondsPassed();
   }
 
   /// Finds out which outputs can be written, complaining of the others; false where none can that
@@ -107,11 +95,11 @@ class RenderRun {
 
   /// Writes the outputs, prints what was found out, and returns the exit status.
   int write() {
-    watch_.restart();
+    secondsPassed();
     // A checkpoint is kept until everything that it stands for has been written.
     const bool areAllWritten = writeAll(outputs_, run_.threads) == request_.results.outputs.size();
     if (checkpoint_ && areAllWritten) checkpoint_->remove();
-    stats_.writeSeconds = watch_.restart();
+    stats_.writeSeconds = secondsPassed();
     std::string text;
     for (const Output& output : outputs_) {
       if (output.kind != Kind::rays) text += output.text;
@@ -130,6 +118,12 @@ class RenderRun {
   }
 
  private:
+  /// Since the last call, or the start of the run.
+  double secondsPassed() {
+    const Clock::time_point begin = std::exchange(lastTime_, Clock::now());
+    return std::chrono::duration<double>(lastTime_ - begin).count();
+  }
+
   void openCheckpoint(RenderTargets& targets) {
     const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
                                                   scene_.getInputFiles(), run_.threads);
@@ -143,15 +137,15 @@ class RenderRun {
   void traceRays(const RenderTargets& targets, bool isTraced, RunDisplay& display) {
     const PictureRequest& picture = request_.picture;
     const bool counts = request_.results.stats;
-    watch_.restart();
+    secondsPassed();
     const SceneGeometry geometry(*scene_.getGroup(), picture.acceleration, picture.course->cells,
                                  run_.threads, counts);
     stats_.simd = geometry.simd();
     stats_.tree = geometry.description();
-    stats_.buildSeconds = watch_.restart();
+    stats_.buildSeconds = secondsPassed();
     const RayTracer tracer(scene_, geometry.object(), picture.render);
     if (isTraced) render(tracer, run_.threads, targets, counts ? &stats_.rays : nullptr);
-    stats_.traceSeconds = watch_.restart();
+    stats_.traceSeconds = secondsPassed();
     stats_.tests = geometry.tallied();
     display.finish();
     status_ = print(display.lastPicture());
@@ -164,7 +158,7 @@ class RenderRun {
 
   RenderRequest request_;
   const RunRequest& run_;
-  Stopwatch watch_;
+  Clock::time_point lastTime_ = Clock::now();
   Stats stats_;
   ReadNotes notes_;
   SceneParser scene_;

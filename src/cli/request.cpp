@@ -89,7 +89,8 @@ const Course& courseOf(const std::vector<std::string>& words) {
   const WordList names(kCourseNames);
   for (std::size_t at = 1; at < words.size(); ++at) {
     const auto found = std::find(names.begin(), names.end(), words[at]);
-    if (nameOf(words[at - 1]) == "course" && found != names.end()) place = found - names.begin();
+    if (nameOf(words[at - 1]) == "course" && found != names.end())
+      place = std::size_t(found - names.begin());
   }
   return courseAt(place);
 }

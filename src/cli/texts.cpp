@@ -150,11 +150,11 @@ std::string offers(const ArgumentRow& row) {
   for (const std::string_view choice : row.action->choices) {
     choices += (choices.empty() ? "" : "/") + std::string(choice);
   }
-  std::istringstream words(row.words);
-  for (std::string word; words >> word; choices.clear()) {
+  for (const std::string& word : row.wordNames) {
     const bool mayRepeat = word.find("...") != std::string::npos;
     const std::string offer = !choices.empty() ? choices : isOneOf(word, kFileWords) ? "file" : "-";
     text += (text.empty() ? "" : " ") + offer + (mayRepeat ? "..." : word[0] == '[' ? "?" : "");
+    choices.clear();
   }
   return text;
 }
