@@ -14,7 +14,6 @@
 #include <system_error>
 
 #include "cli/arguments.h"
-#include "cli/outputs.h"
 #include "cli/runs.h"
 #include "image/output_file.h"
 #include "system/memory.h"
