@@ -643,8 +643,8 @@ They name what is legal in a scene and probably a mistake:
   of less than three corners or whose outline crosses itself
   bump, which is passed over
 Others tell what of the arguments cannot be had as it is asked for: -simd, the
-number of samples, glass thinner than -epsilon (and than 0.1). All have their
-file and line where there is one. Of most kinds five are named and the rest counted, of
+number of samples, glass thinner than -epsilon and 0.1. All have their file and
+line where there is one. Of most kinds five are named and the rest counted, of
 triangles without area ten, of meshes each. They change nothing; -quiet silences
 them, and -check prints those of the scene too. None of the scenes in scenes/
 has any. To see some:
