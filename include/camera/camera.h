@@ -39,7 +39,7 @@ class Camera {
 
   /// The ray through point (x, y) of the image plane, in world space, its direction a unit vector,
   /// leaving no surface. x goes to the right and y up, over [-0.5, 0.5] along the side of the image
-  /// that is the unit (PixelPlaces: as a rule the longer one); points beyond are as good.
+  /// that the renderer takes for the unit, as a rule the longer one; points beyond are as good.
   virtual Ray generateRay(const Vec2d& point) const = 0;
 
   /// The least t at which the camera sees, in units of the world: surfaces nearer are not there.

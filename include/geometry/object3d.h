@@ -1,5 +1,6 @@
-// Object3D: anything that a ray can hit. The two questions are intersect and occluded, each of one
-// ray; BatchGeometry, below, answers them for many at once.
+// Object3D: anything that a ray can hit. One ray asks three questions: intersect, occluded and, for
+// what light loses in transparent objects, visitCrossings. BatchGeometry (ray_table.h) answers them
+// for many rays at once.
 // A sphere, plane, triangle or mesh decides in one function, nearestRoot, whether and at which t a
 // ray meets it; intersect then records what lies there, and occluded asks no more.
 // All objects are const while rays are traced, so any number of threads may ask at once.

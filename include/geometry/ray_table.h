@@ -94,7 +94,7 @@ struct HitTable {
   double* magnitude;          ///< as magnitudeOf gives it
   double* normal[3];          ///< unit
   double* point[3];
-  Vec2d* texturePlace;            ///< of objects that have texture places; anything, unless
+  Vec2d* texturePlace;            ///< anything, unless hasTexturePlaces
   bool hasTexturePlaces = false;  ///< any row has been given one other than (0, 0)
   int rowCount;                   ///< for which there is room
 

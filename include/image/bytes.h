@@ -38,8 +38,8 @@ class ByteReader {
   unsigned takeByte(const char* what) { return *take(1, what); }
 
   /// To be called before memory is asked for the picture: throws ImageError where it has more than
-  /// `most` pixels, which is what the bytes not taken yet can hold; they are `found` many, of a
-  /// `kind` (" compressed"). Sides are below 2^31.
+  /// `most` pixels, as many as the `found` bytes that are left, of a `kind` (" compressed"), can
+  /// hold. Sides are below 2^31.
   void checkSize(std::uint64_t width, std::uint64_t height, std::uint64_t most, std::size_t found,
                  const char* kind = "") const;
 

@@ -17,8 +17,8 @@ struct ReadPicture {
 /// NaN differs from all but NaN, and an infinity from all but itself, by infinity. Else bytes are
 /// compared. The difference of a pixel is the largest of those of its samples.
 struct Comparison {
-  double maximum =
-      0;            ///< the largest difference of a pixel, a whole number where bytes are compared
+  /// The largest difference of a pixel; a whole number where bytes are compared.
+  double maximum = 0;
   double mean = 0;  ///< sum of the differences of all 3 W H samples, divided by 3 W H
   double rms = 0;   ///< square root of the sum of their squares, divided by 3 W H
   double psnr = 0;  ///< 20 log10(255 / rms) decibels; infinity for equal pictures

@@ -32,7 +32,8 @@ struct TgaPlace {
 
 /// Writes the picture in the format of the file's ending, or else `unnamed`, by OutputFile. A PFM
 /// of it has each byte over 255; `place` is for a TGA only. A PNG is compressed by `threads` >= 1
-/// threads at most. Throws OutputError, also for a TGA of a side of more than 65535 pixels.
+/// threads at most. Throws OutputError, also for a TGA of a side of more than 65535 pixels, and for
+/// a BMP of more than 2^30 pixels.
 void writePicture(const Image& image, const std::string& path, int threads = 1,
                   const TgaPlace& place = {}, PictureFormat unnamed = PictureFormat::tga);
 /// Writes a PFM, whatever the ending. Throws OutputError.

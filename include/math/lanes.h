@@ -10,8 +10,9 @@
 // over Doubles is another one for each. A translation unit that is compiled for one may not use any
 // other inline function that computes, not of the standard library either.
 //
-// Here are all intrinsics: first the few operations that the compiler's own vectors have no good
-// words for, once for each instruction set, then the classes, which are the same for all.
+// Here are the intrinsics for doubles (those for the floats of trees: src/accel/simd.h): first the
+// few operations that the compiler's own vectors have no good words for, once for each instruction
+// set, then the classes, which are the same for all.
 #pragma once
 #include <cstdint>
 #if defined(__SSE2__)

@@ -29,7 +29,7 @@ class SolidObjects {
   BoundingBox box_;
 };
 
-/// Takes a sphere, or a mesh (`mesh` is null of a sphere), and how it stands in the world.
+/// Takes a sphere, or a mesh (`mesh` is null for a sphere), and how it stands in the world.
 using VisitSolid =
     std::function<void(const Object3D& object, const MeshGeometry* mesh, const Matrix& toWorld)>;
 /// Visits all of transparent material below `object`, inside Transforms too, in scene order.

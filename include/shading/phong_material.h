@@ -84,8 +84,8 @@ class PhongMaterial : public Material {
   void setHighlight(Highlight highlight) { highlight_ = highlight; }
 
   const DiffuseMap* getDiffuseMap() const override { return diffuseMap_; }
-  /// Of which the diffuse colour is from now on, unless it is null; not owned. Only while the scene
-  /// is being read.
+  /// From now on `map`, not owned, gives the diffuse colour; where it is null, the plain one does.
+  /// Only while the scene is being read.
   void setDiffuseMap(const DiffuseMap* map) { diffuseMap_ = map; }
 
   /// The formula above.

@@ -6,7 +6,6 @@
 // matrix * inverse differs from the identity counts like rounding.
 #include "accel/transform_range.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace accel {

@@ -8,7 +8,8 @@
 namespace {
 
 constexpr std::size_t kFileHead = 14, kInfoHead = 40;
-/// Of 2001 and 1997 with colour spaces, and of 2007: what stands behind the 40 bytes is skipped.
+/// BITMAPINFOHEADER, the same with three masks and with four, and with colour spaces, V4 and V5:
+/// what stands behind the masks is skipped.
 constexpr std::uint32_t kInfoHeads[] = {40, 52, 56, 108, 124};
 enum Compression : std::uint32_t { kPlain = 0, kMasks = 3 };
 

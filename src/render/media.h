@@ -3,7 +3,6 @@
 // enters it. So nothing need be remembered of the way that led there, and a line may begin
 // anywhere: inside objects as well.
 #pragma once
-#include <limits>
 #include <vector>
 
 #include "geometry/object3d.h"

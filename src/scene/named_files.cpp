@@ -113,8 +113,8 @@ const MeshGeometry* MeshLibrary::find(std::string_view name, bool& isNew) {
 }
 
 /// Reads a mesh fast where that can be done, else as one text, which tells mistakes: then it is
-/// broken. What a mesh tells of its corners is read from one text too, as it is asked
-/// for seldom. False, and a reason, where the file cannot be read.
+/// broken. What a mesh tells of its corners is read from one text too, as it is asked for seldom.
+/// False, and a reason, where the file cannot be read.
 bool MeshLibrary::read(const std::string& path, std::string_view name, std::size_t& number,
                        std::string& reason) {
   const std::size_t mistakesBefore = log_.count();

@@ -222,7 +222,7 @@ inline constexpr WordArray<4> kShapeTypes = {"sphere", "plane", "triangle", "mes
 inline constexpr WordArray<4> kShapeBlocks = {"Sphere", "Plane", "Triangle", "TriangleMesh"};
 inline constexpr WordArray<2> kLightTypes = {"point", "directional"};
 inline constexpr WordArray<2> kLightBlocks = {"point light", "DirectionalLight"};
-/// With these names the blocks begin that hold others.
+/// The counts with which blocks of several items begin.
 inline constexpr WordArray<3> kCountWords = {"numLights", "numMaterials", "numObjects"};
 /// What a CookTorranceMaterial's distribution may be, the default first.
 inline constexpr WordArray<2> kDistributionWords = {"GGX", "Beckmann"};

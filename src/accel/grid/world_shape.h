@@ -24,7 +24,7 @@ class WorldShape {
   /// Whether the shape, a ball being solid, and `cell` have points in common; a cell that overlaps
   /// the shape's box. Touching alone does not count, but for a triangle that lies in the plane of a
   /// side. Sources: Arvo, "A Simple Method for Box-Sphere Intersection Testing", Graphics Gems,
-  /// 1990; Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", 2001.
+  /// 1990; Akenine-Moeller, "Fast 3D Triangle-Box Overlap Testing", 2001.
   bool meets(const BoundingBox& cell) const;
   /// Whether the whole cell is inside the ball, so that the ball's surface is nowhere in it.
   bool surrounds(const BoundingBox& cell) const;
