@@ -7,7 +7,7 @@
 
 namespace {
 
-void add(Bytes& bytes, std::uint32_t value, int count) {
+void add(Bytes& bytes, std::uint64_t value, int count) {
   for (int k = 0; k < count; ++k) bytes.push_back(std::uint8_t(value >> (8 * k)));
 }
 
