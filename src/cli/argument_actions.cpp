@@ -326,7 +326,7 @@ constexpr ArgumentAction kActions[] = {
 
     unseen({"check", set<&Request::check>}),
     unseen({"stats", set<&ResultRequest::stats>}),
-    {"pixel", setPixel},
+    unseen({"pixel", setPixel}),
     unseen({"pixel_obj", wantPicture<Kind::rays>}),
     {"visualize_grid", set<&Acceleration::cellPicture, CellPicture::occupied>},
     {"visualize_grid_count", set<&Acceleration::cellPicture, CellPicture::counts>},

@@ -27,7 +27,7 @@ TEST("what changes no pixel leaves the fingerprint") {
   const Digest plain = of("");
   for (const char* same :
        {"-threads 3", "-simd baseline", "-accel tree", "-quiet", "-stats", "-output b",
-        "-input other.txt", "-checkpoint c", "-progress", "-preview", "-heatmap h"}) {
+        "-input other.txt", "-checkpoint c", "-progress", "-preview", "-heatmap h", "-pixel 1 2"}) {
     CHECK(of(same) == plain);
   }
   CHECK(of("-depth 1 2 d") == of("-depth e 1 2"));
@@ -71,11 +71,11 @@ TEST("each argument that may change a pixel changes the fingerprint, and so does
 
 TEST("an argument that is new is taken to change pixels until it is listed as one that does not") {
   const std::set<std::string> listed = {
-      "input",   "output",      "depth",      "normals",      "render_samples", "render_filter",
-      "accel",   "simd",        "threads",    "stats",        "quiet",          "check",
-      "help",    "version",     "checkpoint", "memory_limit", "progress",       "preview",
-      "man",     "completion",  "materials",  "heatmap",      "pixel_obj",      "gui",
-      "gouraud", "tessellation"};
+      "input", "output",     "depth",       "normals",      "render_samples", "render_filter",
+      "accel", "simd",       "threads",     "stats",        "quiet",          "check",
+      "help",  "version",    "checkpoint",  "memory_limit", "progress",       "preview",
+      "man",   "completion", "materials",   "heatmap",      "pixel",          "pixel_obj",
+      "gui",   "gouraud",    "tessellation"};
   for (const ArgumentRow& row : argumentTable()) {
     CHECK_EQUAL(row.action->changesPixels, listed.count(row.name) == 0);
   }
