@@ -80,9 +80,9 @@ void ObjectTree::gatherSmall(std::vector<BoxedMember>& boxed, int threads) {
   };
   const auto largeCount = std::size_t(std::count_if(boxed.begin(), boxed.end(), isLarge));
   if (boxed.size() - largeCount <= kFewSmall) return;
-  const auto large = std::stable_partition(boxed.begin(), boxed.end(), isLarge);
-  const std::vector<BoxedMember> small(large, boxed.end());
-  boxed.erase(large, boxed.end());
+  std::stable_partition(boxed.begin(), boxed.end(), isLarge);
+  const std::vector<BoxedMember> small(boxed.begin() + std::ptrdiff_t(largeCount), boxed.end());
+  boxed.resize(largeCount);
   const std::size_t few = std::max(kFewSmall, small.size() / kMostTrees);
   const std::vector<CellMember> all = cellMembers(small, size);
   for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
