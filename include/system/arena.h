@@ -49,6 +49,9 @@ class Arena {
   struct Block {
     std::unique_ptr<Line[]> lines;
     std::size_t size;  // in bytes
+
+    unsigned char* begin() const { return reinterpret_cast<unsigned char*>(lines.get()); }
+    unsigned char* end() const { return begin() + size; }
   };
   void* takeBytes(std::size_t bytes) {
     bytes = roundedUp(bytes, kAlignment);
@@ -61,8 +64,8 @@ class Arena {
   void goTo(std::size_t block, unsigned char* next) {
     // Before the first block there is nothing to go back to but the first one.
     block_ = block;
-    next_ = next || blocks_.empty() ? next : blocks_[block].lines[0].bytes;
-    end_ = blocks_.empty() ? next : blocks_[block].lines[0].bytes + blocks_[block].size;
+    next_ = next || blocks_.empty() ? next : blocks_[block].begin();
+    end_ = blocks_.empty() ? next : blocks_[block].end();
   }
 
   std::vector<Block> blocks_;

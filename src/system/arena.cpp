@@ -15,5 +15,5 @@ void Arena::findRoom(std::size_t bytes) {
     const std::size_t size = roundedUp(std::max({bytes, kLeastBlock, 2 * last}), kAlignment);
     blocks_.push_back({std::unique_ptr<Line[]>(new Line[size / kAlignment]), size});
   }
-  goTo(block, blocks_[block].lines[0].bytes);
+  goTo(block, blocks_[block].begin());
 }
