@@ -7,8 +7,8 @@
 
 namespace {
 
-void add(Bytes& bytes, std::uint64_t value, int count) {
-  for (int k = 0; k < count; ++k) bytes.push_back(std::uint8_t(value >> (8 * k)));
+void add(Bytes& bytes, std::uint32_t value, int count) {
+  for (int k = 0; k < count; ++k, value >>= 8) bytes.push_back(std::uint8_t(value));
 }
 
 /// Heads of a file whose pixels follow `extra` (masks, a palette).
