@@ -112,28 +112,30 @@ void addTessellation(Words words, Draft& draft) {
   addIdle(words, draft);
 }
 
-/// The first word is no number of at least 0, nor one of the `alternatives`, ", this or that".
-[[noreturn]] void failAtLeastZero(Words words, const char* alternatives) {
+/// A number of at least 0; where it is none, `alternatives`, ", this or that", are told besides.
+template <class Number>
+void readAtLeastZero(Words words, const char* alternatives, Number& value) {
+  if (readNumber(words[0], value) && value >= 0) return;
   const bool isTooLarge = isNumber(words[0]) && words[0][0] != '-';
   words.fail(0, std::string("a number of at least 0") + (isTooLarge ? " and within range" : "") +
                     alternatives);
 }
 
 void setWeight(Words words, Draft& draft) {
-  float& weight = draft.render.picture.render.minWeight;
-  if (!readNumber(words[0], weight) || weight < 0) failAtLeastZero(words, "");
+  readAtLeastZero(words, "", draft.render.picture.render.minWeight);
 }
+
+/// What -epsilon takes besides numbers.
+constexpr std::string_view kEpsilons[] = {"course", "adaptive"};
 
 /// Without -epsilon its kind stays automatic.
 void setEpsilon(Words words, Draft& draft) {
   PictureRequest& picture = draft.render.picture;
   Epsilon& epsilon = picture.render.epsilon;
   epsilon = {Epsilon::Kind::fixed, picture.course->render.epsilon.value};
-  if (words[0] == "adaptive") epsilon.kind = Epsilon::Kind::adaptive;
-  if (words[0] == "adaptive" || words[0] == "course") return;
-  if (!readNumber(words[0], epsilon.value) || epsilon.value < 0) {
-    failAtLeastZero(words, ", course or adaptive");
-  }
+  if (words[0] == kEpsilons[1]) epsilon.kind = Epsilon::Kind::adaptive;
+  if (words[0] == kEpsilons[0] || words[0] == kEpsilons[1]) return;
+  readAtLeastZero(words, ", course or adaptive", epsilon.value);
 }
 
 /// Of several patterns the last one counts.
@@ -225,10 +227,8 @@ void setGrid(Words words, Draft& draft) {
 
 /// Both may be files or folders; what they are is found out by the comparison.
 void setCompare(Words words, Draft& draft) {
-  for (std::size_t i = 0; i < 2; ++i)
-    if (words[i].empty()) words.fail(i, "a file or folder");
-  draft.compare.expected = words[0];
-  draft.compare.actual = words[1];
+  draft.compare.expected = words.notEmpty(0, "a file or folder");
+  draft.compare.actual = words.notEmpty(1, "a file or folder");
 }
 
 void setFailPercent(Words words, Draft& draft) {
@@ -256,13 +256,6 @@ void wantHelp(Words words, Draft& draft) {
   wantText<ProgramText::help>(words, draft);
   if (!words.all().empty()) draft.topic = &helpTopics()[words.choice()];
 }
-
-// What may follow an argument as its first word. Besides a name -epsilon takes a number.
-constexpr std::string_view kEpsilons[] = {"course", "adaptive"};
-constexpr std::string_view kAccelerators[] = {"fast", "tree"};
-constexpr std::string_view kTopics[] = {"scene",      "course",  "materials", "samples",
-                                        "output",     "inside",  "grid",      "parts",
-                                        "checkpoint", "compare", "limits"};
 
 /// One that changes no pixel, or only names a file.
 constexpr ArgumentAction unseen(ArgumentAction action) {
@@ -313,7 +306,7 @@ constexpr ArgumentAction kActions[] = {
     unseen({"memory_limit", setIntegers<1, kMaxMemoryLimit, &RunRequest::memoryLimit>, Mode::any}),
 
     unseen({"threads", setIntegers<1, kMaxThreads, &RunRequest::threads>, Mode::any}),
-    unseen({"accel", setChoice<&Acceleration::kind>, Mode::rendering, kAccelerators}),
+    unseen({"accel", setChoice<&Acceleration::kind>, Mode::rendering, kAcceleratorNames}),
     {"grid", setGrid},
     unseen({"simd", setChoice<&Acceleration::simd, false>, Mode::rendering, kSimdNames}),
 
@@ -341,7 +334,7 @@ constexpr ArgumentAction kActions[] = {
     unseen({"progress", set<&RunRequest::progress>}),
     unseen({"preview", set<&ResultRequest::preview>}),
     unseen({"quiet", setQuiet, Mode::any}),
-    unseen({"help", wantHelp, Mode::any, kTopics}),
+    unseen({"help", wantHelp, Mode::any, kTopicNames}),
     unseen({"version", wantText<ProgramText::version>, Mode::any}),
     unseen({"man", wantText<ProgramText::man>, Mode::any}),
     unseen({"completion", wantText<ProgramText::completion>, Mode::any}),

@@ -283,8 +283,8 @@ std::size_t ArgumentWords::choice(bool proposes) const {
             nearest.empty() ? "" : "; did you mean " + ::quoted(nearest) + "?");
 }
 
-const std::string& ArgumentWords::file(std::size_t index) const {
-  if (words_[index].empty()) fail(index, "a file name");
+const std::string& ArgumentWords::notEmpty(std::size_t index, const char* expected) const {
+  if (words_[index].empty()) fail(index, expected);
   return words_[index];
 }
 

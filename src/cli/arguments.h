@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/request.h"
@@ -84,8 +85,10 @@ class ArgumentWords {
   double number(std::size_t index, double least, double most, const std::string& expected) const;
   /// Any finite number, which is called `what` in the message.
   double anyNumber(std::size_t index, const std::string& what) const;
+  /// Anything but "", which `expected` names in the message.
+  const std::string& notEmpty(std::size_t index, const char* expected) const;
   /// The name of a file: anything but "". "-" is standard input or output.
-  const std::string& file(std::size_t index) const;
+  const std::string& file(std::size_t index) const { return notEmpty(index, "a file name"); }
 
   /// The name of a picture that is written: likewise, with an ending that is known, or none.
   const std::string& picture(std::size_t index) const;
@@ -110,7 +113,11 @@ struct HelpTopic {
   const char* text;     ///< ends with a line's end
 };
 
-/// All topics of `-help TOPIC`, in the order in which a beginner may want them.
+/// The names of all topics of `-help TOPIC`, in the order in which a beginner may want them.
+inline constexpr std::string_view kTopicNames[] = {"scene",      "course",  "materials", "samples",
+                                                   "output",     "inside",  "grid",      "parts",
+                                                   "checkpoint", "compare", "limits"};
+/// The topics, in that order.
 const std::vector<HelpTopic>& helpTopics();
 
 /// The list of all arguments, at most 80 columns wide, as `-help` prints it.

@@ -7,6 +7,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "accel/grid/grid_frame.h"
@@ -21,6 +22,9 @@
 inline constexpr int kMaxImageSide = SceneParser::kMostPixels;
 inline constexpr int kMaxThreads = 1024;
 inline constexpr int kMaxMemoryLimit = 100000000;  // MB
+
+/// The first kinds of acceleration, as -accel has them; -grid asks for the last.
+inline constexpr std::string_view kAcceleratorNames[] = {"fast", "tree"};
 
 /// What finds the hits of rays. Never changes a pixel, unless cells are drawn.
 struct Acceleration {
