@@ -44,6 +44,7 @@ class Arena {
 
  private:
   struct alignas(kAlignment) Line {
+    Line() {}  // were it defaulted, make_unique would clear all bytes
     unsigned char bytes[kAlignment];
   };
   struct Block {

@@ -13,7 +13,7 @@ void Arena::findRoom(std::size_t bytes) {
     // Each block is as large as all before it, so that there are few.
     const std::size_t last = blocks_.empty() ? 0 : blocks_.back().size;
     const std::size_t size = roundedUp(std::max({bytes, kLeastBlock, 2 * last}), kAlignment);
-    blocks_.push_back({std::unique_ptr<Line[]>(new Line[size / kAlignment]), size});
+    blocks_.push_back({std::make_unique<Line[]>(size / kAlignment), size});
   }
   goTo(block, blocks_[block].begin());
 }
