@@ -133,6 +133,19 @@ class Comparison {
   void askBatch(const std::vector<Ray>& rays, double tmin, double tmax) {
     askBatch(rays, tmin, std::vector<Hit>(rays.size(), Hit(tmax)));
   }
+  /// All of it: each question alone, every fourth one's crossings, and all rays as batches; with
+  /// infinite bounds, and with the questions' own as shadows.
+  void askAll(const std::vector<ShadowQuery>& queries) {
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      ask(queries[i].ray, queries[i].tmin, queries[i].tmax);
+      if (i % 4 == 0) askCrossings(queries[i].ray);
+      rays.push_back(queries[i].ray);
+    }
+    askBatch(rays, 0, kInf);
+    askShadows(queries);
+    CHECK_EQUAL(firstFailure(), "");
+  }
   void askShadows(const std::vector<ShadowQuery>& queries) {
     std::vector<char> expected;
     for (const ShadowQuery& q : queries) {

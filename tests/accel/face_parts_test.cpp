@@ -93,8 +93,7 @@ void expectAsPlain(const MeshGeometry& shape, double size, const Vec3d& center) 
   CHECK(accel::MeshTree(*geometry, 1).bvh().isInParts);
   Comparison comparison(mesh, "needles");
   Random random(5);
-  std::vector<Ray> rays;
-  std::vector<ShadowQuery> shadows;
+  std::vector<ShadowQuery> queries;
   for (int i = 0; i < casesFor(400); ++i) {
     const auto face = std::uint32_t(random.index(int(geometry->faceCount())));
     const auto [a, b, c] = geometry->corners(face);
@@ -109,14 +108,9 @@ void expectAsPlain(const MeshGeometry& shape, double size, const Vec3d& center) 
       ray.setSource(&mesh, face);
     }
     const double tmax = random.index(3) ? kInf : random.uniform(0, 1.5);
-    comparison.ask(ray, 0, tmax);
-    if (i % 4 == 0) comparison.askCrossings(ray);
-    rays.push_back(ray);
-    shadows.push_back({ray, 0, tmax});
+    queries.push_back({ray, 0, tmax});
   }
-  comparison.askBatch(rays, 0, kInf);
-  comparison.askShadows(shadows);
-  CHECK_EQUAL(comparison.firstFailure(), "");
+  comparison.askAll(queries);
   CHECK(comparison.hits() > casesFor(400));
 }
 

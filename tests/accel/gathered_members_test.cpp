@@ -125,8 +125,7 @@ class Scales {
 
 void expectAsPlain(Scales& scales, const Object3D& root, const Matrix& toWorld, const char* name) {
   Comparison comparison(root, name);
-  std::vector<Ray> rays;
-  std::vector<ShadowQuery> shadows;
+  std::vector<ShadowQuery> queries;
   for (int i = 0; i < casesFor(1500); ++i) {
     const Ray inside = scales.ray();
     const Ray ray(toWorld.transformPoint(inside.getOrigin()),
@@ -134,14 +133,9 @@ void expectAsPlain(Scales& scales, const Object3D& root, const Matrix& toWorld, 
     const double reach = scales.size();
     const double tmin = scales.random().index(4) ? 0 : -reach;
     const double tmax = scales.random().index(3) ? kInf : 5 * reach;
-    comparison.ask(ray, tmin, tmax);
-    if (i % 4 == 0) comparison.askCrossings(ray);
-    rays.push_back(ray);
-    shadows.push_back({ray, tmin, tmax});
+    queries.push_back({ray, tmin, tmax});
   }
-  comparison.askBatch(rays, 0, kInf);
-  comparison.askShadows(shadows);
-  CHECK_EQUAL(comparison.firstFailure(), "");
+  comparison.askAll(queries);
   CHECK(comparison.hits() > casesFor(1500));
 }
 

@@ -82,8 +82,7 @@ void expectAsPlain(const Parts& parts, const char* name, std::uint64_t seed) {
   for (const Object3D* root : roots) {
     Comparison comparison(*root, name);
     Random random(seed);
-    std::vector<Ray> rays;
-    std::vector<ShadowQuery> shadows;
+    std::vector<ShadowQuery> queries;
     for (int i = 0; i < casesFor(600); ++i) {
       Ray ray = rayAt(parts, random);
       const double reach = parts[random.index(parts.count())].size;
@@ -95,14 +94,9 @@ void expectAsPlain(const Parts& parts, const char* name, std::uint64_t seed) {
       }
       const double tmin = random.index(4) ? 0 : reach * random.uniform(-1, 1);
       const double tmax = random.index(3) ? kInf : reach * random.uniform(0, 5);
-      comparison.ask(ray, tmin, tmax);
-      if (i % 4 == 0) comparison.askCrossings(ray);
-      rays.push_back(ray);
-      shadows.push_back({ray, tmin, tmax});
+      queries.push_back({ray, tmin, tmax});
     }
-    comparison.askBatch(rays, 0, kInf);
-    comparison.askShadows(shadows);
-    CHECK_EQUAL(comparison.firstFailure(), "");
+    comparison.askAll(queries);
     CHECK(comparison.hits() > casesFor(600) / 2);
   }
 }
