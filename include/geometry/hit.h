@@ -13,7 +13,7 @@ struct Primitive {
   const Object3D* object = nullptr;  ///< the sphere, plane, triangle or mesh; not owned
   std::uint32_t face = 0;            ///< which triangle of a mesh; 0 for all else
   double magnitude = 0;              ///< as magnitudeOf gives it
-  Vec2d texturePlace{};              ///< see Hit::getTexturePlace
+  Vec2d textureCoordinates{};        ///< see Hit::getTextureCoordinates
 };
 
 /// The largest number that took part in finding `point` = origin + t direction, counted in units of
@@ -57,7 +57,7 @@ class Hit {
   double getMagnitude() const { return primitive_.magnitude; }
   /// (u, v), which run over [0, 1] where the picture of a texture covers the surface once, to the
   /// right and up; (0, 0) but on a mesh that has texture coordinates there.
-  Vec2d getTexturePlace() const { return primitive_.texturePlace; }
+  Vec2d getTextureCoordinates() const { return primitive_.textureCoordinates; }
 
   /// Becomes the hit of a surface of `material`, with unit normal `normal`, at `point`, which is
   /// the ray's at parameter t.

@@ -46,7 +46,7 @@ void makeSmooth(MeshGeometry& mesh, MeshNormals kind);
 
 /// Shades a hit on face `face` at `point`, which is in the mesh's own space: `normal`, the face's
 /// own unit normal, becomes the interpolated one, made unit. It stays where the mesh has none, and
-/// where that one vanishes or is not finite. `texturePlace` becomes the interpolated texture
+/// where that one vanishes or is not finite. `textureCoordinates` becomes the interpolated texture
 /// coordinates, (0, 0) where a corner has none.
 void shadeHit(const MeshGeometry& mesh, std::uint32_t face, const Vec3d& point, Vec3d& normal,
-              Vec2d& texturePlace);
+              Vec2d& textureCoordinates);

@@ -64,8 +64,8 @@ class Object3D {
   /// nothing, which is also the default.
   virtual void addBounds(const Matrix& /*toWorld*/, BoundingBox& /*box*/) const {}
 
-  /// True when its hits have a texture place. By default they have none.
-  virtual bool hasTexturePlaces() const { return false; }
+  /// True when its hits have texture coordinates. By default they have none.
+  virtual bool hasTextureCoordinates() const { return false; }
 
   /// True when addBounds tells the whole extent. By default it does not.
   virtual bool isBounded() const { return false; }

@@ -65,9 +65,9 @@ struct RayTable {
   void setRow(int row, const Ray& ray, double least, double most);
 };
 
-/// The nearest hit that a search has found so far, and its place in the scene.
+/// The nearest hit that a search has found so far, and its order in the scene.
 struct NearestSoFar {
-  /// The place of no primitive: nothing was found.
+  /// The order of no primitive: nothing was found.
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 
   double t;  ///< or the bound of the search
@@ -90,35 +90,37 @@ struct HitTable {
   const Material** material;  ///< null where nothing was found; not owned
   const Object3D** object;    ///< the primitive; not owned
   std::uint32_t* face;        ///< which triangle of a mesh; 0 for all else
-  std::uint32_t* order;       ///< the primitive's place in the scene, or NearestSoFar::kNothing
-  double* magnitude;          ///< as magnitudeOf gives it
-  double* normal[3];          ///< unit
+  std::uint32_t*
+      order;  ///< the primitive's number in the order of the scene, or NearestSoFar::kNothing
+  double* magnitude;  ///< as magnitudeOf gives it
+  double* normal[3];  ///< unit
   double* point[3];
-  Vec2d* texturePlace;            ///< anything, unless hasTexturePlaces
-  bool hasTexturePlaces = false;  ///< any row has been given one other than (0, 0)
-  int rowCount;                   ///< for which there is room
+  Vec2d* textureCoordinates;           ///< anything, unless hasTextureCoordinates
+  bool hasTextureCoordinates = false;  ///< any row has been given one other than (0, 0)
+  int rowCount;                        ///< for which there is room
 
   /// Columns for `rows` rows, in which nothing is found.
   HitTable(Arena& arena, int rows);
 
   bool isFound(int row) const { return order[row] != NearestSoFar::kNothing; }
   /// Of a row where something is found.
-  Vec2d texturePlaceOf(int row) const {
-    const bool isThere = hasTexturePlaces && object[row] && object[row]->hasTexturePlaces();
-    return isThere ? texturePlace[row] : Vec2d();
+  Vec2d textureCoordinatesOf(int row) const {
+    const bool isThere =
+        hasTextureCoordinates && object[row] && object[row]->hasTextureCoordinates();
+    return isThere ? textureCoordinates[row] : Vec2d();
   }
-  void setTexturePlace(int row, const Vec2d& place) {
-    if (!hasTexturePlaces) {
-      if (place.x() == 0 && place.y() == 0) return;
-      std::fill(texturePlace, texturePlace + rowCount, Vec2d());
-      hasTexturePlaces = true;
+  void setTextureCoordinates(int row, const Vec2d& coordinates) {
+    if (!hasTextureCoordinates) {
+      if (coordinates.x() == 0 && coordinates.y() == 0) return;
+      std::fill(textureCoordinates, textureCoordinates + rowCount, Vec2d());
+      hasTextureCoordinates = true;
     }
-    texturePlace[row] = place;
+    textureCoordinates[row] = coordinates;
   }
   /// Row `row` as a Hit, `t` being the ray's tmax; Hit(t) where nothing is found.
   Hit hitOf(int row, double t) const;
   /// Takes all of a hit but its t.
-  void setRow(int row, const Hit& hit, std::uint32_t place);
+  void setRow(int row, const Hit& hit, std::uint32_t newOrder);
 };
 
 /// Is told where the rays of a table pass through surfaces.

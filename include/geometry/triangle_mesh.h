@@ -28,7 +28,9 @@ class TriangleMesh : public Object3D {
     geometry_->addBounds(toWorld, box);
   }
   bool isBounded() const override { return true; }
-  bool hasTexturePlaces() const override { return !geometry_->getShading().coordinates.empty(); }
+  bool hasTextureCoordinates() const override {
+    return !geometry_->getShading().coordinates.empty();
+  }
 
  private:
   const MeshGeometry* geometry_;  // not owned

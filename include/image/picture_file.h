@@ -22,20 +22,21 @@ std::optional<PictureFormat> knownFormatOf(const std::string& path,
 /// The same, TGA where the ending is unknown.
 PictureFormat formatOf(const std::string& path, PictureFormat unnamed = PictureFormat::tga);
 
-/// Where a picture that is part of another lies in that one, and a text of at most 255 bytes.
+/// What a picture that is part of another says of that: where it lies in it, and a text of at most
+/// 255 bytes.
 /// (TGA's specification counts origins from the lower left of a screen; like POV-Ray's parts, ours
 /// begin at the corner that comes first in the file.)
-struct TgaPlace {
+struct TgaPart {
   int x = 0, y = 0;  ///< of the first pixel, from the top left corner of the whole, 0..65535
   std::string id;
 };
 
 /// Writes the picture in the format of the file's ending, or else `unnamed`, by OutputFile. A PFM
-/// of it has each byte over 255; `place` is for a TGA only. A PNG is compressed by `threads` >= 1
+/// of it has each byte over 255; `part` is for a TGA only. A PNG is compressed by `threads` >= 1
 /// threads at most. Throws OutputError, also for a TGA of a side of more than 65535 pixels, and for
 /// a BMP of more than 2^30 pixels.
 void writePicture(const Image& image, const std::string& path, int threads = 1,
-                  const TgaPlace& place = {}, PictureFormat unnamed = PictureFormat::tga);
+                  const TgaPart& part = {}, PictureFormat unnamed = PictureFormat::tga);
 /// Writes a PFM, whatever the ending. Throws OutputError.
 void writePicture(const FloatImage& image, const std::string& path);
 /// Writes a TGA from rows of BGR bytes: row(y) is asked once for each y, from the top one, 0, on.
@@ -59,8 +60,8 @@ using Sink = std::function<void(const Bytes& piece)>;
 
 /// What stands before the pixels, which are BGR bytes, top row first, with nothing behind them: 18
 /// bytes, all 0 but type 2, width and height (little-endian), 24 bits and descriptor 0x20. Sides
-/// are 1..65535 pixels. A part has its place in the origin fields besides, and its ID.
-Bytes tgaHead(int width, int height, const TgaPlace& place);
+/// are 1..65535 pixels. A part has its origin in the fields for that, and its ID.
+Bytes tgaHead(int width, int height, const TgaPart& part);
 
 /// Reads types 1, 2, 3, 9, 10 and 11 (colour map, true colour, grey; the latter three run-length
 /// encoded), the first pixel in any corner.

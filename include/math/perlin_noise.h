@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 
+#include "math/functions.h"
 #include "math/vec3.h"
 
 namespace math {
@@ -23,5 +24,21 @@ inline constexpr int kMaxOctaves = 32;
 /// noise(p) + noise(2 p) / 2 + noise(4 p) / 4 ..., `octaves` terms, 0..kMaxOctaves: always finite,
 /// its size below 2.1.
 double fractalNoise(const Vec3d& p, int octaves);
+
+/// Waves that are disturbed by noise: their angle at a way x along them is frequency x + amplitude
+/// N, N being fractalNoise at a point.
+struct NoisyWaves {
+  int octaves;        ///< of the noise
+  double frequency;   ///< in radians per unit of the way, any finite number
+  double amplitude;   ///< in radians, likewise
+  double height = 1;  ///< or -1, which turns the waves upside down
+
+  /// height sin(angle); NaN where the angle is infinite.
+  double sineAt(double x, const Vec3d& p) const {
+    return height * math::sin(frequency * x + amplitude * fractalNoise(p, octaves));
+  }
+  /// The same from 0 to 1.
+  double shareAt(double x, const Vec3d& p) const { return (1 + sineAt(x, p)) / 2; }
+};
 
 }  // namespace math

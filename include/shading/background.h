@@ -37,7 +37,6 @@ class Background {
 
   /// What is seen where there is no cube map.
   const Vec3f& getColor() const { return color_; }
-  const std::optional<CubeMap>& getCubeMap() const { return cubeMap_; }
 
   /// What a ray of that direction sees, of any length.
   Vec3f colorAt(const Vec3d& direction) const {

@@ -1,6 +1,4 @@
 // CookTorranceMaterial: a rough surface of tiny mirrors, and diffuse light from below it.
-// As for every material here, white diffuse light is (n.l) L without a division by pi: a BRDF f
-// stands in the colour as pi f (n.l) L.
 #pragma once
 #include "shading/material.h"
 #include "shading/optics.h"
@@ -18,10 +16,6 @@ class CookTorranceMaterial : public Material {
         fresnel_(fresnel),
         roughness_(roughness),
         distribution_(distribution) {}
-
-  float getRoughness() const { return roughness_; }
-  Distribution getDistribution() const { return distribution_; }
-  const Fresnel& getFresnel() const { return fresnel_; }
 
   /// lightColor * pi f (n.l), with u the way back along the ray, h halfway between l and u, and
   ///   pi f = diffuse (1 - F(n.l)) (1 - F(n.u)) + pi D F(u.h) G / (4 (n.l) (n.u))

@@ -7,6 +7,7 @@
 
 #include "geometry/hit.h"
 #include "image/image.h"
+#include "math/perlin_noise.h"
 #include "math/vec3.h"
 
 class DiffuseMap {
@@ -28,7 +29,7 @@ class ImageTexture : public DiffuseMap {
   /// four pixels around, by weights that fall evenly with the distance on each axis. Beyond the
   /// outermost pixels, these go on; a coordinate that is NaN counts as 0.
   Vec3d colorAt(double u, double v) const;
-  /// At the hit's texture place; `plain` where the object has no texture places.
+  /// At the hit's texture coordinates; `plain` where the object has none.
   Vec3d colorAt(const Hit& hit, const Vec3f& plain) const override;
 
   /// Of memory.
@@ -40,24 +41,17 @@ class ImageTexture : public DiffuseMap {
   Image image_;
 };
 
-/// Waves across the x axis of the world, disturbed by noise: at a point (x, y, z) the first colour
-/// has the weight (1 + sin(frequency x + amplitude N)) / 2, N being math::fractalNoise there.
+/// Waves across the x axis of the world, disturbed by noise: at a point p = (x, y, z) the first
+/// colour has the weight waves.shareAt(x, p). Where that is NaN (an infinite angle) there is only
+/// the second colour.
 class NoiseMap : public DiffuseMap {
  public:
-  /// 0 <= octaves <= math::kMaxOctaves; frequency in radians per unit of the world, amplitude in
-  /// radians, both any finite number. Where the sine is NaN (an infinite angle) there is only the
-  /// second colour.
-  NoiseMap(const Vec3f& first, const Vec3f& second, int octaves, double frequency, double amplitude)
-      : first_(first),
-        second_(second),
-        octaves_(octaves),
-        frequency_(frequency),
-        amplitude_(amplitude) {}
+  NoiseMap(const Vec3f& first, const Vec3f& second, const math::NoisyWaves& waves)
+      : first_(first), second_(second), waves_(waves) {}
 
   Vec3d colorAt(const Hit& hit, const Vec3f& plain) const override;
 
  private:
   Vec3d first_, second_;
-  int octaves_;
-  double frequency_, amplitude_;
+  math::NoisyWaves waves_;
 };

@@ -42,8 +42,10 @@ class Material {
 
   /// The light that the surface sends back along the ray from one light: `dirToLight` is the unit
   /// direction to it in world space, `lightColor` what arrives. The ray's direction is a unit
-  /// vector, and hit.getNormal() is used as it stands. Ambient light, shadows and secondary rays
-  /// are the ray tracer's business.
+  /// vector, and hit.getNormal(), n, is used as it stands. A white surface that scatters light L
+  /// from direction l evenly sends back (n.l) L, without a division by pi: a BRDF f stands in the
+  /// colour as pi f (n.l) L. Ambient light, shadows and secondary rays are the ray tracer's
+  /// business.
   virtual Vec3f Shade(const Ray& ray, const Hit& hit, const Vec3f& dirToLight,
                       const Vec3f& lightColor) const = 0;
 

@@ -10,6 +10,8 @@
 // and the energy is the mean of their squares, since unpolarised light is half of each. A g^2 that
 // is not above 0 means that no ray goes in: total reflection.
 #pragma once
+#include <cmath>
+
 #include "math/functions.h"
 #include "math/vec3.h"
 

@@ -1,7 +1,5 @@
 // OrenNayarMaterial: rough diffuse surfaces such as clay, plaster or the moon, whose edge is as
 // bright as their middle when the light comes from behind the eye.
-// As for every material here, white diffuse light is (n.l) L without a division by pi: a BRDF f
-// stands in the colour as pi f (n.l) L.
 #pragma once
 #include "shading/material.h"
 
@@ -11,9 +9,6 @@ class OrenNayarMaterial : public Material {
   /// the diffuse term of the other materials.
   OrenNayarMaterial(const Vec3f& diffuseColor, float roughness, const Vec3f& transparentColor,
                     const Vec3f& reflectiveColor, float indexOfRefraction);
-
-  /// In radians, as it was given.
-  float getRoughness() const { return roughness_; }
 
   /// lightColor * pi f (n.l), with u the way back along the ray and
   ///   pi f = diffuse (A + B max(0, cos p) sin a tan b) / max(1, A + B / 2)
@@ -29,6 +24,5 @@ class OrenNayarMaterial : public Material {
   const char* getKind() const override { return "OrenNayarMaterial"; }
 
  private:
-  float roughness_;
   double even_, uneven_;  // A and B, each divided by max(1, A + B / 2)
 };

@@ -6,17 +6,16 @@
 // turn. A texture lies in space, not on a surface: `toTexture` takes a point of the world to the
 // space in which the pattern is described, so the objects look as if carved out of it.
 #pragma once
-#include <cstddef>
+#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
 
-#include "math/functions.h"
 #include "math/matrix.h"
 #include "math/perlin_noise.h"
 #include "shading/material.h"
 
-/// A plain material (none that is a texture) and its share in a point, above 0 and at most 1.
+/// A material and its share in a point, above 0 and at most 1.
 struct WeightedMaterial {
   const Material* material;  ///< not owned
   double weight;
@@ -24,36 +23,27 @@ struct WeightedMaterial {
 
 class SolidTexture : public Material {
  public:
-  /// A material as a texture refers to it: not owned. Every material of a scene has a place of its
-  /// own, and textures refer only to places before theirs.
-  struct Component {
-    const Material* material;
-    std::size_t place;
-  };
-
   /// The weight of the second component at a point of the texture's space. Below 0 counts as 0,
   /// above 1 as 1, NaN as 0.
   using Pattern = std::function<double(const Vec3d& p)>;
 
-  /// `kind` is what getKind gives. `toTexture` may be singular. As a Material the texture has,
-  /// channel by channel, the largest of its components' colours, so that neither is transparent or
-  /// reflective where the texture says that it is not, and the index and priority of the first.
-  SolidTexture(const char* kind, const Matrix& toTexture, const Component& first,
-               const Component& second, Pattern weightOfSecond);
+  /// `kind` is what getKind gives. `toTexture` may be singular. The components are not owned; where
+  /// one of them is a texture, each has its number (Material::getNumber), one above those of its
+  /// own components. As a Material the texture has, channel by channel, the largest of its
+  /// components' colours, so that neither is transparent or reflective where the texture says that
+  /// it is not, and the index and priority of the first.
+  SolidTexture(const char* kind, const Matrix& toTexture, const Material* first,
+               const Material* second, Pattern weightOfSecond);
 
   /// What mixAt works on: who asks for many points keeps one, and so its memory.
   struct Mixture {
-    /// A component that is still to be looked at, and its share.
-    struct Waiting {
-      Component component;
-      double weight;
-    };
     std::vector<WeightedMaterial> plain;
-    std::vector<Waiting> waiting;  ///< each component once, by rising place; none in the end
+    /// Components that are still to be looked at, each once, by rising numbers; none in the end.
+    std::vector<WeightedMaterial> waiting;
   };
 
-  /// The plain materials that the texture comes down to at a point of the world, each once, latest
-  /// place first, owned by `mixture`; their weights add up to 1 but for rounding. Never empty.
+  /// The plain materials that the texture comes down to at a point of the world, each once, by
+  /// falling numbers, owned by `mixture`; their weights add up to 1 but for rounding. Never empty.
   /// Looks at each texture below this one once, in however many ways it is reached, and takes no
   /// stack.
   const std::vector<WeightedMaterial>& mixAt(const Vec3d& point, Mixture& mixture) const;
@@ -74,7 +64,7 @@ class SolidTexture : public Material {
 
   const char* kind_;
   Matrix toTexture_;
-  Component first_, second_;
+  const Material *first_, *second_;
   Pattern weightOfSecond_;
 };
 
@@ -83,7 +73,7 @@ class Checkerboard : public SolidTexture {
  public:
   /// size > 0 is the side of a cube. The first material is where floor(x / size) +
   /// floor(y / size) + floor(z / size) is even, (x, y, z) in the texture's space.
-  Checkerboard(const Matrix& toTexture, const Component& first, const Component& second,
+  Checkerboard(const Matrix& toTexture, const Material* first, const Material* second,
                double size = 1)
       : SolidTexture("Checkerboard", toTexture, first, second, [=](const Vec3d& p) {
           int parity = 0;  // a sum is odd where an odd number of its terms is
@@ -96,7 +86,7 @@ class Checkerboard : public SolidTexture {
 class Noise : public SolidTexture {
  public:
   /// 0 <= octaves <= math::kMaxOctaves; slope is any finite number.
-  Noise(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
+  Noise(const Matrix& toTexture, const Material* first, const Material* second, int octaves,
         double slope = 0.5)
       : SolidTexture("Noise", toTexture, first, second,
                      [=](const Vec3d& p) { return 0.5 + slope * math::fractalNoise(p, octaves); }) {
@@ -104,29 +94,23 @@ class Noise : public SolidTexture {
 };
 
 /// Layers across the x axis, waves that are disturbed by noise: the second material has the weight
-/// (1 + height sin(frequency x + amplitude N)) / 2. Where the sine is NaN (an infinite angle) there
-/// is only the first.
+/// waves.shareAt(x, p) at p = (x, y, z) in the texture's space. Where that is NaN (an infinite
+/// angle) there is only the first.
 class Marble : public SolidTexture {
  public:
-  /// octaves as for Noise; frequency in radians per unit of the texture's space, amplitude in
-  /// radians, both any finite number; height 1, or -1, which exchanges the materials.
-  Marble(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
-         double frequency, double amplitude, double height = 1)
-      : SolidTexture("Marble", toTexture, first, second, [=](const Vec3d& p) {
-          const double noise = math::fractalNoise(p, octaves);
-          return (1 + height * math::sin(frequency * p.x() + amplitude * noise)) / 2;
-        }) {}
+  Marble(const Matrix& toTexture, const Material* first, const Material* second,
+         const math::NoisyWaves& waves)
+      : SolidTexture("Marble", toTexture, first, second,
+                     [=](const Vec3d& p) { return waves.shareAt(p.x(), p); }) {}
 };
 
 /// Rings around the y axis: as Marble, with the distance sqrt(x^2 + z^2) from that axis for x.
 class Wood : public SolidTexture {
  public:
-  Wood(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
-       double frequency, double amplitude)
+  Wood(const Matrix& toTexture, const Material* first, const Material* second,
+       const math::NoisyWaves& waves)
       : SolidTexture("Wood", toTexture, first, second, [=](const Vec3d& p) {
-          const double noise = math::fractalNoise(p, octaves);
-          const double distance = std::sqrt(p.x() * p.x() + p.z() * p.z());
-          return (1 + math::sin(frequency * distance + amplitude * noise)) / 2;
+          return waves.shareAt(std::sqrt(p.x() * p.x() + p.z() * p.z()), p);
         }) {}
 };
 
@@ -135,13 +119,11 @@ class Wood : public SolidTexture {
 ///   s = 1/2 + sin(frequency (sqrt(x^2 + z^2) + 0.05 y) + amplitude N(x, 0.2 y, z)), within 0..1.
 class GrainedWood : public SolidTexture {
  public:
-  /// As for Marble.
-  GrainedWood(const Matrix& toTexture, const Component& first, const Component& second, int octaves,
-              double frequency, double amplitude)
+  GrainedWood(const Matrix& toTexture, const Material* first, const Material* second,
+              const math::NoisyWaves& waves)
       : SolidTexture("Wood", toTexture, first, second, [=](const Vec3d& p) {
-          const double noise = math::fractalNoise({p.x(), 0.2 * p.y(), p.z()}, octaves);
           const double rings = std::sqrt(p.x() * p.x() + p.z() * p.z()) + 0.05 * p.y();
-          const double s = withinUnit(0.5 + math::sin(frequency * rings + amplitude * noise));
+          const double s = withinUnit(0.5 + waves.sineAt(rings, {p.x(), 0.2 * p.y(), p.z()}));
           return 1 - s * s;
         }) {}
 };

@@ -1,7 +1,5 @@
 // WardMaterial: diffuse light and a highlight that may be longer one way than the other, as on
 // brushed metal.
-// As for every material here, white diffuse light is (n.l) L without a division by pi: a BRDF f
-// stands in the colour as pi f (n.l) L.
 #pragma once
 #include "shading/material.h"
 
@@ -9,22 +7,18 @@ class WardMaterial : public Material {
  public:
   /// How rough the surface is, and which way it is brushed. No units.
   struct Grain {
-    float roughnessX = 0.2f;    ///< > 0: standard deviation of the slope along `tangent`
-    float roughnessY = 0.2f;    ///< > 0: and across it
-    Vec3d tangent = {1, 0, 0};  ///< world space, any length but zero, whose square is in range
+    float roughnessX;  ///< > 0: standard deviation of the slope along `tangent`
+    float roughnessY;  ///< > 0: and across it
+    Vec3d tangent;     ///< world space, any length but zero, whose square is in range
   };
 
-  /// A surface sends back no more than it gets where diffuseColor + specularColor <= 1.
+  /// specularColor holds RGB factors of the highlight; where black there is none. A surface sends
+  /// back no more than it gets where diffuseColor + specularColor <= 1.
   WardMaterial(const Vec3f& diffuseColor, const Vec3f& specularColor, const Grain& grain,
                const Vec3f& transparentColor, const Vec3f& reflectiveColor, float indexOfRefraction)
       : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
         specularColor_(specularColor),
         grain_{grain.roughnessX, grain.roughnessY, normalize(grain.tangent)} {}
-
-  /// RGB factors of the highlight; where black there is none.
-  Vec3f getSpecularColor() const { return specularColor_; }
-  /// With a unit tangent.
-  const Grain& getGrain() const { return grain_; }
 
   /// The unit vector along the tangent's projection on the surface with unit normal `normal`. Where
   /// the tangent is parallel to the normal (sine below 1e-6) the world axis that is farthest from
@@ -46,5 +40,5 @@ class WardMaterial : public Material {
   double highlight(const Vec3d& n, const Vec3d& halfway) const;
 
   Vec3f specularColor_;
-  Grain grain_;
+  Grain grain_;  // with a unit tangent
 };

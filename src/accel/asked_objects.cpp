@@ -23,10 +23,10 @@ void AskedMesh::shade(const RowList& rows, HitTable& hits) const {
   if (geometry.getShading().isEmpty()) return;
   for (const int row : rows) {
     Vec3d normal = rowOf(hits.normal, row);
-    Vec2d texturePlace;
-    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, texturePlace);
+    Vec2d textureCoordinates;
+    shadeHit(geometry, hits.face[row], rowOf(hits.point, row), normal, textureCoordinates);
     setRowOf(hits.normal, row, normal);
-    hits.setTexturePlace(row, texturePlace);
+    hits.setTextureCoordinates(row, textureCoordinates);
   }
 }
 

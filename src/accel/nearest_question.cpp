@@ -126,7 +126,7 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
   askWithin(member, within);
   auto* rowsInside = arena_.take<std::uint16_t>(std::size_t(rows.count));
   auto* rowsOutside = arena_.take<std::uint16_t>(std::size_t(rows.count));
-  const bool arePlacesGiven = found.hasTexturePlaces || hits_.hasTexturePlaces;
+  const bool areCoordinatesGiven = found.hasTextureCoordinates || hits_.hasTextureCoordinates;
   int count = 0;
   for (int k = 0; k < rows.count; ++k) {
     const int row = rows.rows[k];
@@ -135,7 +135,7 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
     hits_.material[row] = found.material[k];
     hits_.object[row] = found.object[k];
     hits_.face[row] = found.face[k];
-    if (arePlacesGiven) hits_.setTexturePlace(row, found.texturePlaceOf(k));
+    if (areCoordinatesGiven) hits_.setTextureCoordinates(row, found.textureCoordinatesOf(k));
     hits_.order[row] = found.order[k];
     rowsInside[count] = std::uint16_t(k);
     rowsOutside[count++] = std::uint16_t(row);

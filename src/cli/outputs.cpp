@@ -107,7 +107,7 @@ void write(const Output& output, int threads) {
     return writeFile(output.file, output.text.data(), output.text.size());
   }
   if (wantsFloats(output)) return writePicture(output.exact, output.file);
-  writePicture(output.image, output.file, threads, output.place, output.format);
+  writePicture(output.image, output.file, threads, output.part, output.format);
 }
 
 }  // namespace

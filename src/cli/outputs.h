@@ -30,7 +30,7 @@ struct Output : OutputRequest {
 
   PictureFormat format;    ///< of the file, but for `rays`
   Image image;             ///< empty until makeImages, of `rays` always
-  TgaPlace place;          ///< of a part, where the file is a TGA
+  TgaPart part;            ///< where it is one, and the file a TGA
   FloatImage exact;        ///< its unclamped colours, empty where the format of the file has none
   std::string text;        ///< of `rays`: what is written; of `heatmap`: its scale
   bool isWritable = true;  ///< false where it could not be, which has been complained of

@@ -114,8 +114,8 @@ std::string textOf(const PartId& id) {
   return joined("raytracer part 1 ", id.kind, ' ', id.width, ' ', id.height, ' ', id.fingerprint);
 }
 
-TgaPlace partPlaceOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
-                     const std::vector<std::string>& inputFiles, int threads) {
+TgaPart tgaPartOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
+                  const std::vector<std::string>& inputFiles, int threads) {
   static constexpr const char* kKinds[] = {"color", "depth", "normals"};
   static constexpr std::string_view kPlaces[] = {"size", "region", "tile"};
   assert(output.kind <= Kind::normals);

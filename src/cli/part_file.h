@@ -1,6 +1,6 @@
 // A part of a picture, as -region and -tile write it: a TGA that any viewer shows, whose origin
-// fields hold its place in the whole picture, and whose image ID says of which: by the fingerprint
-// of a picture, which is equal where two runs would give the same bytes.
+// fields hold where it lies in the whole picture, and whose image ID says of which: by the
+// fingerprint of a picture, which is equal where two runs would give the same bytes.
 #pragma once
 #include <string>
 #include <vector>
@@ -34,9 +34,9 @@ struct PartId {
 /// "raytracer part 1 KIND WIDTH HEIGHT FINGERPRINT", at most 110 bytes: the image ID.
 std::string textOf(const PartId& id);
 
-/// What marks this output of the render as a part: its place, and the ID. The fingerprint is
+/// What marks this output of the render as a part: where it lies, and the ID. The fingerprint is
 /// pictureFingerprint's for this kind of picture alone, and without -size, -region and -tile: so
 /// one run may give several kinds, and another the same ones singly. It is of kind color, depth or
 /// normals; for the rest, and errors, see pictureFingerprint.
-TgaPlace partPlaceOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
-                     const std::vector<std::string>& inputFiles, int threads);
+TgaPart tgaPartOf(const OutputRequest& output, const RenderRequest& render, const Digest& scene,
+                  const std::vector<std::string>& inputFiles, int threads);

@@ -64,8 +64,8 @@ class RenderRun {
     }
     if (!request_.picture.isPart) return true;
     for (Output& output : outputs_) {  // each tells which picture it belongs to
-      output.place =
-          partPlaceOf(output, request_, notes_.digest, scene_.getInputFiles(), run_.threads);
+      output.part =
+          tgaPartOf(output, request_, notes_.digest, scene_.getInputFiles(), run_.threads);
     }
     return true;
   }

@@ -20,11 +20,14 @@ constexpr const char* kManualDate = "2026-11-22";
 constexpr const char* kStart = R"(raytracer: renders a scene file to an image, for example
   raytracer -input scene.txt -output out.tga -bounces 5 -weight 0.01
 )";
-constexpr const char* kHelpBegin =
+constexpr const char* kForms =
     R"(Arguments come in any order, with one dash or two; the last of two equal ones
-wins. -input, -compare or -merge is needed, and with -input at least one of
--output, -depth, -normals, -render_samples, -render_filter, -materials,
--heatmap, -pixel, -preview, -stats and -check.
+wins. A word may follow behind =, and a size have an x: -bounces=5 -size 640x480.
+)";
+constexpr const char* kHelpBegin =
+    R"(-input, -compare or -merge is needed, and with -input at least one of -output,
+-depth, -normals, -render_samples, -render_filter, -materials, -heatmap,
+-pixel, -preview, -stats and -check.
 
 )";
 constexpr const char* kHelpEnd = R"(
@@ -48,8 +51,6 @@ transformations) and renders it with shadows, mirrors and refraction. The image
 depends on the scene and the options alone, not on the machine or the number of
 threads. The sections SCENE to LIMITS are the topics of \(aqraytracer \-help TOPIC\(aq.
 .SH OPTIONS
-Options come in any order, with one dash or two; the last of two equal ones
-wins.
 )";
 constexpr const char* kManualEnd = R"(.SH EXIT STATUS
 .TP
@@ -224,7 +225,7 @@ std::string shortHelp() {
 }
 
 std::string fullHelp() {
-  return std::string(kStart) + kHelpBegin + optionList() + kHelpEnd + topicList();
+  return std::string(kStart) + kForms + kHelpBegin + optionList() + kHelpEnd + topicList();
 }
 
 std::string versionText() { return std::string("raytracer ") + kVersion; }
@@ -234,7 +235,7 @@ std::string manPage() {
   for (const HelpTopic& topic : helpTopics()) topics += topicSection(topic);
   return ".\\\" Made from the table of arguments by 'raytracer -man'.\n.TH RAYTRACER 1 " +
          std::string(kManualDate) + " \"" + versionText() + "\" \"User Commands\"\n" + kSynopsis +
-         entries() + kManualEnd + topics;
+         forTroff(kForms) + entries() + kManualEnd + topics;
 }
 
 std::string completionScript() {

@@ -55,22 +55,22 @@ void makeSmooth(MeshGeometry& mesh, MeshNormals kind) {
 }
 
 void shadeHit(const MeshGeometry& mesh, std::uint32_t face, const Vec3d& point, Vec3d& normal,
-              Vec2d& texturePlace) {
+              Vec2d& textureCoordinates) {
   const MeshShading& shading = mesh.getShading();
   const auto [a, b, c] = mesh.corners(face);
   const Vec3d weights = triangle::weightsAt(a, b, c, point);
   if (!shading.normals.empty()) {
     const bool areOfVertices = shading.normalFaces.empty();
-    const auto& places = areOfVertices ? mesh.getFaces()[face] : shading.normalFaces[face];
+    const auto& indices = areOfVertices ? mesh.getFaces()[face] : shading.normalFaces[face];
     Vec3d sum;
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t place = places[std::size_t(k)];
-      const Vec3d own = place == MeshShading::kNone ? Vec3d() : Vec3d(shading.normals[place]);
+      const std::uint32_t index = indices[std::size_t(k)];
+      const Vec3d own = index == MeshShading::kNone ? Vec3d() : Vec3d(shading.normals[index]);
       sum += (own == Vec3d() ? normal : own) * weights[k];
     }
     normal = unitOr(sum, normal);
   }
-  texturePlace = Vec2d();
+  textureCoordinates = Vec2d();
   if (shading.coordinates.empty() || hasGap(shading.coordinateFaces[face])) return;
   double u = 0, v = 0;
   for (int k = 0; k < 3; ++k) {
@@ -78,5 +78,5 @@ void shadeHit(const MeshGeometry& mesh, std::uint32_t face, const Vec3d& point, 
     u += corner.x() * weights[k];
     v += corner.y() * weights[k];
   }
-  texturePlace = {u, v};
+  textureCoordinates = {u, v};
 }

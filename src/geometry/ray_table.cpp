@@ -46,7 +46,7 @@ HitTable::HitTable(Arena& arena, int rows) : rowCount(rows) {
   object = arena.take<const Object3D*>(size);
   face = arena.take<std::uint32_t>(size);
   order = arena.take<std::uint32_t>(size);
-  texturePlace = arena.take<Vec2d>(size);
+  textureCoordinates = arena.take<Vec2d>(size);
   double** const columns[] = {&magnitude, &normal[0], &normal[1], &normal[2],
                               &point[0],  &point[1],  &point[2]};
   takeColumns(arena, rows, columns, 7);
@@ -58,19 +58,19 @@ Hit HitTable::hitOf(int row, double t) const {
   Hit hit(t);
   if (!isFound(row)) return hit;
   hit.record(t, material[row], rowOf(normal, row), rowOf(point, row),
-             {object[row], face[row], magnitude[row], texturePlaceOf(row)});
+             {object[row], face[row], magnitude[row], textureCoordinatesOf(row)});
   return hit;
 }
 
-void HitTable::setRow(int row, const Hit& hit, std::uint32_t place) {
+void HitTable::setRow(int row, const Hit& hit, std::uint32_t newOrder) {
   material[row] = hit.getMaterial();
   object[row] = hit.getObject();
   face[row] = hit.getFace();
-  order[row] = place;
+  order[row] = newOrder;
   magnitude[row] = hit.getMagnitude();
   setRowOf(normal, row, hit.getNormal());
   setRowOf(point, row, hit.getIntersectionPoint());
-  setTexturePlace(row, hit.getTexturePlace());
+  setTextureCoordinates(row, hit.getTextureCoordinates());
 }
 
 void BatchGeometry::intersectAll(const RayTable& rays, HitTable& hits, Arena&) const {

@@ -21,7 +21,7 @@ void Transform::toParent(const Ray& ray, Hit& hit) const {
   const double magnitude =
       outsideMagnitude(inverse_, hit.getMagnitude(), point, ray.getOrigin(), ray.getDirection());
   hit.record(hit.getT(), hit.getMaterial(), normal, point,
-             {hit.getObject(), hit.getFace(), magnitude, hit.getTexturePlace()});
+             {hit.getObject(), hit.getFace(), magnitude, hit.getTextureCoordinates()});
 }
 
 bool Transform::intersect(const Ray& ray, Hit& hit, double tmin) const {

@@ -18,7 +18,7 @@ void TriangleMesh::setHit(std::uint32_t face, const Ray& ray, double t, Hit& hit
   Vec3d normal = normalize(triangle::areaNormal(a, b, c));
   Primitive primitive = {this, face, magnitudeOf(t, point, ray, triangle::extent(a, b, c))};
   if (!geometry_->getShading().isEmpty()) {
-    shadeHit(*geometry_, face, point, normal, primitive.texturePlace);
+    shadeHit(*geometry_, face, point, normal, primitive.textureCoordinates);
   }
   hit.record(t, material_, normal, point, primitive);
 }

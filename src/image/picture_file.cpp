@@ -31,12 +31,12 @@ void encodeRows(const Image& image, PictureFormat format, const Bytes& head, con
 Vec3f colorOf(Rgb8 pixel) { return Vec3f(pixel.r / 255.0f, pixel.g / 255.0f, pixel.b / 255.0f); }
 
 /// The one place that knows all formats of an image.
-void encode(const Image& image, PictureFormat format, int threads, const TgaPlace& place,
+void encode(const Image& image, PictureFormat format, int threads, const TgaPart& part,
             const Sink& sink) {
   const int width = image.Width(), height = image.Height();
   switch (format) {
     case PictureFormat::tga:
-      return encodeRows(image, format, tgaHead(width, height, place), sink);
+      return encodeRows(image, format, tgaHead(width, height, part), sink);
     case PictureFormat::png:
       return encodePng(image, sink, threads);
     case PictureFormat::bmp:
@@ -99,7 +99,7 @@ PictureFormat formatOf(const std::string& path, PictureFormat unnamed) {
   return knownFormatOf(path, unnamed).value_or(PictureFormat::tga);
 }
 
-void writePicture(const Image& image, const std::string& path, int threads, const TgaPlace& place,
+void writePicture(const Image& image, const std::string& path, int threads, const TgaPart& part,
                   PictureFormat unnamed) {
   const PictureFormat format = formatOf(path, unnamed);
   const int width = image.Width(), height = image.Height();
@@ -112,7 +112,7 @@ void writePicture(const Image& image, const std::string& path, int threads, cons
   if (format == PictureFormat::bmp && double(width) * height > 0x1p30) {
     throw OutputError(path, "a BMP image has at most 2^30 pixels here" + size);
   }
-  write(path, [&](const Sink& sink) { encode(image, format, threads, place, sink); });
+  write(path, [&](const Sink& sink) { encode(image, format, threads, part, sink); });
 }
 
 void writePicture(const FloatImage& image, const std::string& path) {

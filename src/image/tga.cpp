@@ -135,15 +135,15 @@ class TgaReader {
 
 }  // namespace
 
-Bytes tgaHead(int width, int height, const TgaPlace& place) {
-  assert(width >= 1 && height >= 1 && place.id.size() <= 255);
-  Bytes head = {static_cast<std::uint8_t>(place.id.size()), 0, 2, 0, 0, 0, 0, 0};
-  for (const int number : {place.x, place.y, width, height}) {
+Bytes tgaHead(int width, int height, const TgaPart& part) {
+  assert(width >= 1 && height >= 1 && part.id.size() <= 255);
+  Bytes head = {static_cast<std::uint8_t>(part.id.size()), 0, 2, 0, 0, 0, 0, 0};
+  for (const int number : {part.x, part.y, width, height}) {
     assert(number >= 0 && number <= 65535);
     appendLittleEndian(static_cast<std::uint32_t>(number), 2, head);
   }
   head.insert(head.end(), {24, 0x20});  // bits of a pixel; the top row comes first
-  head.insert(head.end(), place.id.begin(), place.id.end());
+  head.insert(head.end(), part.id.begin(), part.id.end());
   return head;
 }
 

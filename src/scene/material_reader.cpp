@@ -26,9 +26,8 @@ void MaterialReader::readSection() {
 }
 
 void MaterialReader::readInline() {
-  const std::size_t number = materials_.size();
   add();
-  current_ = {materials_.back().get(), number};
+  select(materials_.back().get());
 }
 
 void MaterialReader::add() {
@@ -41,33 +40,32 @@ void MaterialReader::readIndex(std::string_view name) {
   in_.advance();
   const char* const at = in_.at();
   int index = 0;
-  if (in_.readWholeNumber(name, index)) {
-    if (const auto number = listedIndex(index, at, std::string(name), "")) {
-      current_ = {materials_[*number].get(), *number};
-      return;
-    }
-  }
-  isMissed_ = true;
+  const bool isRead = in_.readWholeNumber(name, index);
+  const Material* const material =
+      isRead ? listedMaterial(index, at, std::string(name), "") : nullptr;
+  if (material) select(material);
+  isMissed_ |= !material;
 }
 
-/// The number of the listed material that `index`, which stands at `at`, means. Where it means
-/// none, that is reported, unless a material may have been lost.
-std::optional<std::size_t> MaterialReader::listedIndex(int index, const char* at,
-                                                       const std::string& name,
-                                                       const std::string& listedWhere) {
-  if (index >= 0 && std::size_t(index) < notes_.listedMaterials) return std::size_t(index);
+/// The listed material that `index`, which stands at `at`, means. Null where it means none; that is
+/// reported, unless a material may have been lost.
+const Material* MaterialReader::listedMaterial(int index, const char* at, const std::string& name,
+                                               const std::string& listedWhere) {
+  if (index >= 0 && std::size_t(index) < notes_.listedMaterials) {
+    return materials_[std::size_t(index)].get();
+  }
   if (areIndicesSure_) {
     in_.report(at, name + " out of range: expected one of " + (listedWhere.empty() ? "" : "the ") +
                        counted(notes_.listedMaterials, "material") + listedWhere +
                        ", counted from 0, found " + in_.quotedAt(at));
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 const Material* MaterialReader::materialFor(std::string_view owner, const char* at) {
-  if (current_.material) {
-    notes_.materials[current_.number].isUsed = true;
-    return current_.material;
+  if (selected_) {
+    notes_.materials[std::size_t(selected_->getNumber())].isUsed = true;
+    return selected_;
   }
   if (!isMissed_) {
     in_.report(at, std::string("expected a ") +
@@ -188,9 +186,12 @@ bool MaterialReader::readNoise(std::unique_ptr<NoiseMap>& noise) {
   if (!fields.areGood) return false;
   if (colors.size() < 2) in_.report(start, "expected two color in Noise, found only one");
   if (colors.size() < 2) return false;
-  noise = std::make_unique<NoiseMap>(colors[0], colors[1], fields["octaves"].whole(),
-                                     fields["frequency"].number(), fields["amplitude"].number());
+  noise = std::make_unique<NoiseMap>(colors[0], colors[1], wavesOf(fields));
   return true;
+}
+
+math::NoisyWaves MaterialReader::wavesOf(const Fields& fields) {
+  return {fields["octaves"].whole(), fields["frequency"].number(), fields["amplitude"].number()};
 }
 
 /// What of the words of a material takes the place of its diffuse colour; null where nothing does.

@@ -18,7 +18,7 @@ const Object3D* NodeReader::read() {
   }
   ++depth_;
   if (objects_.places()) objects_.places()->begin(owner, in_.at());
-  const MaterialReader::Selection outerMaterial = materials_.selection();
+  const Material* const outerMaterial = materials_.selected();
   const Matrix outer = toWorld_;
   auto group = std::make_unique<Group>();
   Contents contents{*group, std::nullopt};

@@ -100,13 +100,9 @@ class MaterialReader {
   void readInline();
   /// The setting of that name, from there on: the material that holds for the objects that follow.
   void readIndex(std::string_view name = "MaterialIndex");
-  /// The material that holds now, not owned, and its number in the scene.
-  struct Selection {
-    const Material* material = nullptr;
-    std::size_t number = 0;
-  };
-  const Selection& selection() const { return current_; }
-  void select(const Selection& selection) { current_ = selection; }
+  /// The material that holds now, not owned; null where there is none yet.
+  const Material* selected() const { return selected_; }
+  void select(const Material* material) { selected_ = material; }
   /// The material that holds for the object at `at`, not owned; null where there is none, which is
   /// said once.
   const Material* materialFor(std::string_view owner, const char* at);
@@ -115,8 +111,8 @@ class MaterialReader {
   /// What a solid texture's block says.
   struct TextureWords {
     Matrix toTexture;
-    std::vector<SolidTexture::Component> components;
-    bool hasTransform = false, areIndicesGood = true;
+    std::vector<const Material*> components;  // null: one that a mistake may have cost
+    bool hasTransform = false;
   };
 
   void add();
@@ -133,8 +129,9 @@ class MaterialReader {
                                         const TextureWords& words);
   bool readTextureTransform(std::string_view owner, TextureWords& words);
   bool readTextureIndex(std::string_view owner, TextureWords& words);
-  std::optional<std::size_t> listedIndex(int index, const char* at, const std::string& name,
-                                         const std::string& listedWhere);
+  const Material* listedMaterial(int index, const char* at, const std::string& name,
+                                 const std::string& listedWhere);
+  static math::NoisyWaves wavesOf(const Fields& fields);
 
   FieldReader& in_;
   SceneNotes& notes_;
@@ -142,7 +139,7 @@ class MaterialReader {
   PictureLibrary& pictures_;
   std::vector<std::unique_ptr<NoiseMap>>& noiseMaps_;
   const SceneRules rules_;
-  Selection current_;
+  const Material* selected_ = nullptr;
   bool isMissed_ = false;
   bool haveHighlightsBehind_ = false;
   bool areIndicesSure_ = true;  // false after a mistake among materials: an index may be right

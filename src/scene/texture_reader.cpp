@@ -32,34 +32,32 @@ std::unique_ptr<Material> MaterialReader::readTexture(std::string_view owner) {
   };
   const Fields fields =
       in_.readFields(owner, {"any texture", isWave ? "any wave" : owner}, readOwn);
-  const bool areTwo = words.components.size() == 2;
-  if (fields.areGood && !areTwo) {
+  const auto& components = words.components;
+  if (fields.areGood && components.size() < 2) {
     in_.report(start, "expected two materialIndex in " + std::string(owner) + ", found only one");
   }
-  return fields.areGood && areTwo && words.areIndicesGood ? makeTexture(owner, fields, words)
-                                                          : plainMaterial();
+  const bool areTwo = components.size() == 2 && components[0] && components[1];
+  return fields.areGood && areTwo ? makeTexture(owner, fields, words) : plainMaterial();
 }
 
 std::unique_ptr<Material> MaterialReader::makeTexture(std::string_view owner, const Fields& fields,
                                                       const TextureWords& words) {
   const Matrix& matrix = words.toTexture;
-  const SolidTexture::Component &first = words.components[0], &second = words.components[1];
-  const int octaves = fields["octaves"].whole();
+  const Material *const first = words.components[0], *const second = words.components[1];
   if (owner == "Checkerboard") {
     return std::make_unique<Checkerboard>(matrix, first, second, fields["size"].number());
   }
   if (owner == "Noise") {
-    return std::make_unique<Noise>(matrix, first, second, octaves, rules_.noiseSlope);
+    return std::make_unique<Noise>(matrix, first, second, fields["octaves"].whole(),
+                                   rules_.noiseSlope);
   }
-  const double frequency = fields["frequency"].number(), amplitude = fields["amplitude"].number();
+  math::NoisyWaves waves = wavesOf(fields);
   if (owner == "Marble") {
-    return std::make_unique<Marble>(matrix, first, second, octaves, frequency, amplitude,
-                                    rules_.marbleHeight);
+    waves.height = rules_.marbleHeight;
+    return std::make_unique<Marble>(matrix, first, second, waves);
   }
-  if (rules_.isWoodGrained) {
-    return std::make_unique<GrainedWood>(matrix, first, second, octaves, frequency, amplitude);
-  }
-  return std::make_unique<Wood>(matrix, first, second, octaves, frequency, amplitude);
+  if (rules_.isWoodGrained) return std::make_unique<GrainedWood>(matrix, first, second, waves);
+  return std::make_unique<Wood>(matrix, first, second, waves);
 }
 
 /// The Transform of a texture holds steps alone. The product need not have an inverse: points are
@@ -99,13 +97,9 @@ bool MaterialReader::readTextureIndex(std::string_view owner, TextureWords& word
     return false;
   }
   const std::string where = " listed before this " + std::string(owner);
-  if (const auto number = listedIndex(index, at, "materialIndex", where)) {
-    words.components.push_back({materials_[*number].get(), *number});
-    notes_.materials.back().components.push_back(*number);
-    return true;
-  }
-  if (areIndicesSure_) return false;
-  words.components.push_back({nullptr, 0});
-  words.areIndicesGood = false;
+  const Material* const component = listedMaterial(index, at, "materialIndex", where);
+  if (!component && areIndicesSure_) return false;
+  words.components.push_back(component);
+  if (component) notes_.materials.back().components.push_back(std::size_t(index));
   return true;
 }

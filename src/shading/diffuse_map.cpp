@@ -4,8 +4,6 @@
 #include <algorithm>
 
 #include "geometry/object3d.h"
-#include "math/functions.h"
-#include "math/perlin_noise.h"
 
 namespace {
 
@@ -44,13 +42,12 @@ Vec3d ImageTexture::colorAt(double u, double v) const {
 }
 
 Vec3d ImageTexture::colorAt(const Hit& hit, const Vec3f& plain) const {
-  if (!hit.getObject() || !hit.getObject()->hasTexturePlaces()) return plain;
-  const Vec2d place = hit.getTexturePlace();
-  return colorAt(place.x(), place.y());
+  if (!hit.getObject() || !hit.getObject()->hasTextureCoordinates()) return plain;
+  const Vec2d uv = hit.getTextureCoordinates();
+  return colorAt(uv.x(), uv.y());
 }
 
 Vec3d NoiseMap::colorAt(const Hit& hit, const Vec3f& /*plain*/) const {
   const Vec3d& p = hit.getIntersectionPoint();
-  const double angle = frequency_ * p.x() + amplitude_ * math::fractalNoise(p, octaves_);
-  return mixed(second_, first_, withinUnit((1 + math::sin(angle)) / 2));
+  return mixed(second_, first_, withinUnit(waves_.shareAt(p.x(), p)));
 }

@@ -12,8 +12,7 @@
 OrenNayarMaterial::OrenNayarMaterial(const Vec3f& diffuseColor, float roughness,
                                      const Vec3f& transparentColor, const Vec3f& reflectiveColor,
                                      float indexOfRefraction)
-    : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction),
-      roughness_(roughness) {
+    : Material(diffuseColor, transparentColor, reflectiveColor, indexOfRefraction) {
   // s^2, with the constants of the qualitative model.
   const double squared = double(roughness) * roughness;
   const double a = 1 - squared / (2 * (squared + 0.33)), b = 0.45 * squared / (squared + 0.09);

@@ -3,10 +3,10 @@
 // A texture is a node with two children, its components; many textures may share a child, so the
 // whole is a graph without circles, and counting its paths would take exponential time. Instead
 // every material waits until all that refers to it has been looked at. Since a texture refers only
-// to materials of earlier places, taking the waiting one of the latest place does just that:
+// to materials of lower numbers, taking the waiting one of the highest number does just that:
 //
 //   1. the texture itself waits, with weight 1;
-//   2. the latest is taken out; a plain material goes to the answer, a texture passes w of its
+//   2. that one is taken out; a plain material goes to the answer, a texture passes w of its
 //      weight on to its second component and 1 - w to its first, where their weights add up;
 //   3. until none waits.
 #include "shading/solid_texture.h"
@@ -17,33 +17,32 @@ namespace {
 
 /// A weight of 0, as one that has become too small for a double, lets nobody wait. The new one
 /// finds its place from the end, where it mostly is: components are listed shortly before.
-void addShare(const SolidTexture::Component& component, double weight,
-              std::vector<SolidTexture::Mixture::Waiting>& waiting) {
-  if (!(weight > 0)) return;
+void addShare(const WeightedMaterial& share, std::vector<WeightedMaterial>& waiting) {
+  if (!(share.weight > 0)) return;
+  const int number = share.material->getNumber();
   auto at = waiting.end();
-  while (at != waiting.begin() && (at - 1)->component.place > component.place) --at;
-  if (at != waiting.begin() && (at - 1)->component.place == component.place) {
-    (at - 1)->weight += weight;
+  while (at != waiting.begin() && (at - 1)->material->getNumber() > number) --at;
+  if (at != waiting.begin() && (at - 1)->material == share.material) {
+    (at - 1)->weight += share.weight;
   } else {
-    waiting.insert(at, {component, weight});
+    waiting.insert(at, share);
   }
 }
 
 }  // namespace
 
-SolidTexture::SolidTexture(const char* kind, const Matrix& toTexture, const Component& first,
-                           const Component& second, Pattern weightOfSecond)
-    : Material(
-          largest(first.material->getDiffuseColor(), second.material->getDiffuseColor()),
-          largest(first.material->getTransparentColor(), second.material->getTransparentColor()),
-          largest(first.material->getReflectiveColor(), second.material->getReflectiveColor()),
-          first.material->getIndexOfRefraction()),
+SolidTexture::SolidTexture(const char* kind, const Matrix& toTexture, const Material* first,
+                           const Material* second, Pattern weightOfSecond)
+    : Material(largest(first->getDiffuseColor(), second->getDiffuseColor()),
+               largest(first->getTransparentColor(), second->getTransparentColor()),
+               largest(first->getReflectiveColor(), second->getReflectiveColor()),
+               first->getIndexOfRefraction()),
       kind_(kind),
       toTexture_(toTexture),
       first_(first),
       second_(second),
       weightOfSecond_(std::move(weightOfSecond)) {
-  setPriority(first.material->getPriority());
+  setPriority(first->getPriority());
 }
 
 const std::vector<WeightedMaterial>& SolidTexture::mixAt(const Vec3d& point,
@@ -54,20 +53,20 @@ const std::vector<WeightedMaterial>& SolidTexture::mixAt(const Vec3d& point,
   for (;;) {
     if (const SolidTexture* texture = current.material->asTexture()) {
       const double second = texture->clampedWeight(point);
-      addShare(texture->first_, current.weight * (1 - second), waiting);
-      addShare(texture->second_, current.weight * second, waiting);
+      addShare({texture->first_, current.weight * (1 - second)}, waiting);
+      addShare({texture->second_, current.weight * second}, waiting);
     } else {
       plain.push_back(current);
     }
     if (waiting.empty()) return plain;
-    current = {waiting.back().component.material, waiting.back().weight};
+    current = waiting.back();
     waiting.pop_back();
   }
 }
 
 /// Of two equal components the first has all, exactly: w + (1 - w) may round to something else.
 double SolidTexture::clampedWeight(const Vec3d& point) const {
-  if (first_.material == second_.material) return 0;
+  if (first_ == second_) return 0;
   return withinUnit(weightOfSecond_(toTexture_.transformPoint(point)));
 }
 

@@ -36,8 +36,8 @@ inline bool sameBits(const Hit& a, const Hit& b) {
          sameBits(a.getNormal(), b.getNormal()) &&
          sameBits(a.getIntersectionPoint(), b.getIntersectionPoint()) &&
          sameBits(a.getMagnitude(), b.getMagnitude()) &&
-         sameBits(a.getTexturePlace().x(), b.getTexturePlace().x()) &&
-         sameBits(a.getTexturePlace().y(), b.getTexturePlace().y());
+         sameBits(a.getTextureCoordinates().x(), b.getTextureCoordinates().x()) &&
+         sameBits(a.getTextureCoordinates().y(), b.getTextureCoordinates().y());
 }
 
 inline std::string describe(const Ray& ray, double tmin, double tmax) {

@@ -1,5 +1,5 @@
-// Smooth meshes and texture places: what the compiled scene and the grid give is what the plain
-// objects give, bit for bit.
+// Smooth meshes and texture coordinates: what the compiled scene and the grid give is what the
+// plain objects give, bit for bit.
 #include "check.h"
 #include "comparison.h"
 #include "random_scene.h"
@@ -67,7 +67,7 @@ Ray rayThrough(Random& random) {
 
 }  // namespace
 
-TEST("at smooth meshes all forms of a scene find the same normals and texture places") {
+TEST("at smooth meshes all forms of a scene find the same normals and texture coordinates") {
   const SmoothScene scene;
   Comparison comparison(scene.root());
   Random random(5);
@@ -78,7 +78,7 @@ TEST("at smooth meshes all forms of a scene find the same normals and texture pl
     comparison.ask(rays.back(), 0, kInf);
     Hit hit;
     if (!scene.root().intersect(rays.back(), hit, 0)) continue;
-    placed += hit.getTexturePlace().x() > 0;
+    placed += hit.getTextureCoordinates().x() > 0;
     const auto* mesh = dynamic_cast<const TriangleMesh*>(hit.getObject());
     smooth += mesh && !mesh->getGeometry().getShading().isEmpty();
     // On from there, with and without the face that is left.

@@ -119,27 +119,27 @@ TEST("where corners have normals of their own, only the others become smooth") {
   CHECK_EQUAL(normalAt(mesh, {0, 1, 0}), Vec3d(0, 0, 1));
 }
 
-TEST("a texture place is the mean of the corners' coordinates") {
+TEST("texture coordinates are the mean of the corners' coordinates") {
   MeshGeometry mesh = ridge();
   mesh.setShading({{}, {}, {{0.5f, 1}, {2.5f, 1}, {0.5f, 9}}, {{0, 1, 2}, {0, kNone, 1}}});
-  const auto placeAt = [&](const Vec3d& point, const Vec3d& direction) {
-    const Vec2d place = hitAt(mesh, point, direction).getTexturePlace();
-    return Vec3d(place.x(), place.y(), 0);
+  const auto coordinatesAt = [&](const Vec3d& point, const Vec3d& direction) {
+    const Vec2d uv = hitAt(mesh, point, direction).getTextureCoordinates();
+    return Vec3d(uv.x(), uv.y(), 0);
   };
   // Weights 1/4, 1/2, 1/4.
-  CHECK_NEAR_VECTOR(placeAt({1, 0.25, 0}, {0, 0, -1}), Vec3d(1.5, 3, 0), 1e-15);
-  CHECK_EQUAL(placeAt({0, 1, 0}, {0, 0, -1}), Vec3d(0.5, 9, 0));
-  CHECK_EQUAL(placeAt({0.5, 0, 1}, {0, -1, 0}), Vec3d());  // a corner has none
+  CHECK_NEAR_VECTOR(coordinatesAt({1, 0.25, 0}, {0, 0, -1}), Vec3d(1.5, 3, 0), 1e-15);
+  CHECK_EQUAL(coordinatesAt({0, 1, 0}, {0, 0, -1}), Vec3d(0.5, 9, 0));
+  CHECK_EQUAL(coordinatesAt({0.5, 0, 1}, {0, -1, 0}), Vec3d());  // a corner has none
   CHECK_EQUAL(normalAt(mesh, {1, 0.25, 0}), Vec3d(0, 0, 1));
-  CHECK(TriangleMesh(&mesh, &kMaterial).hasTexturePlaces());
+  CHECK(TriangleMesh(&mesh, &kMaterial).hasTextureCoordinates());
 }
 
 TEST("a plain mesh keeps nothing of its corners") {
   const MeshGeometry mesh = ridge();
   const MeshShading& shading = mesh.getShading();
-  CHECK(shading.isEmpty() && !TriangleMesh(&mesh, &kMaterial).hasTexturePlaces());
+  CHECK(shading.isEmpty() && !TriangleMesh(&mesh, &kMaterial).hasTextureCoordinates());
   CHECK_EQUAL(shading.normals.capacity() + shading.normalFaces.capacity(), 0u);
   CHECK_EQUAL(shading.coordinates.capacity() + shading.coordinateFaces.capacity(), 0u);
-  const Vec2d place = hitAt(mesh, {0.5, 0.25, 0}).getTexturePlace();
-  CHECK(place.x() == 0 && place.y() == 0);
+  const Vec2d uv = hitAt(mesh, {0.5, 0.25, 0}).getTextureCoordinates();
+  CHECK(uv.x() == 0 && uv.y() == 0);
 }

@@ -85,8 +85,9 @@ TEST("nothing is found in a new table of hits; a hit comes out of it as it went 
     const double t = random.logUniform(1e-9, 1e9);
     Hit hit;
     const TriangleMesh* const object = i % 2 == 0 ? &plain : &textured;
-    hit.record(t, &material, anyVector(random), anyVector(random),
-               {object, std::uint32_t(i), random.logUniform(1e-9, 1e9), Vec2d(i % 2 * 3, i % 2 * 5)});
+    hit.record(
+        t, &material, anyVector(random), anyVector(random),
+        {object, std::uint32_t(i), random.logUniform(1e-9, 1e9), Vec2d(i % 2 * 3, i % 2 * 5)});
     hits.setRow(i, hit, std::uint32_t(2 * i));
     const Hit found = hits.hitOf(i, t);
     CHECK(hits.isFound(i));
@@ -96,8 +97,8 @@ TEST("nothing is found in a new table of hits; a hit comes out of it as it went 
     CHECK_EQUAL(found.getFace(), std::uint32_t(i));
     CHECK(sameBits(found.getNormal(), hit.getNormal()));
     CHECK(sameBits(found.getIntersectionPoint(), hit.getIntersectionPoint()));
-    CHECK_EQUAL(found.getTexturePlace().x(), i % 2 * 3.0);
-    CHECK_EQUAL(found.getTexturePlace().y(), i % 2 * 5.0);
+    CHECK_EQUAL(found.getTextureCoordinates().x(), i % 2 * 3.0);
+    CHECK_EQUAL(found.getTextureCoordinates().y(), i % 2 * 5.0);
   }
   CHECK(!hits.isFound(1) && !hits.isFound(98));
 }

@@ -10,7 +10,7 @@ TEST("ambient light meets the colour of a map, unless the plain diffuse colour i
       "Background { ambientLight 0.5 0.25 1 }"
       "Lights { numLights 1 DirectionalLight { direction 0 0 -1 color 1 1 1 } }");
   // Without octaves and amplitude, half of each colour at x = 0.
-  const NoiseMap map({1, 0, 0.5f}, {0, 1, 0.5f}, 0, 1, 0);
+  const NoiseMap map({1, 0, 0.5f}, {0, 1, 0.5f}, {0, 1, 0});
   PhongMaterial material({0.25f, 0.75f, 1}, {}, 1, {}, {}, 1);
   Hit hit;
   hit.record(1, &material, {0, 0, 1}, {0, 0, 0}, {});

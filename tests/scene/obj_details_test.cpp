@@ -1,8 +1,7 @@
 // What OBJ files tell of corners: vt, vn, the references of faces to them, and smooth normals.
-#include "scene/obj_reader.h"
-
 #include "geometry/triangle_mesh.h"
 #include "random.h"
+#include "scene/obj_reader.h"
 #include "scene/scene_files.h"
 #include "vectors.h"
 
@@ -106,8 +105,8 @@ TEST("faces of more corners are cut with all that their corners have, concave on
     for (int i = 0; i < 100; ++i) {
       const double x = random.uniform(0, 3), y = random.uniform(0, x > 1 && x < 2 ? 1 : 3);
       const Hit hit = hitAt(door, x, y);
-      CHECK_NEAR(hit.getTexturePlace().x(), x / 3, 1e-6);
-      CHECK_NEAR(hit.getTexturePlace().y(), y / 3, 1e-6);
+      CHECK_NEAR(hit.getTextureCoordinates().x(), x / 3, 1e-6);
+      CHECK_NEAR(hit.getTextureCoordinates().y(), y / 3, 1e-6);
       CHECK_NEAR_VECTOR(hit.getNormal(), normalize(Vec3d(x, y, 1)), 1e-6);
     }
   }
@@ -150,9 +149,9 @@ TEST("a scene's rules tell what meshes keep, and which stay flat") {
   };
   SceneRules rules;
   CHECK_EQUAL(hitBy(rules, 0.5).getNormal(), Vec3d(0, 0, 1));
-  CHECK_EQUAL(hitBy(rules, 0.5).getTexturePlace().y(), 0.0);
+  CHECK_EQUAL(hitBy(rules, 0.5).getTextureCoordinates().y(), 0.0);
   rules.keepsTextureCoordinates = true;
-  CHECK_NEAR(hitBy(rules, 0.5).getTexturePlace().y(), 0.75, 1e-15);
+  CHECK_NEAR(hitBy(rules, 0.5).getTextureCoordinates().y(), 0.75, 1e-15);
   // On the edge, where two triangles of each square end, all kinds of mean are the same; at x = 0
   // there is one square alone.
   rules.meshNormals = MeshNormals::byArea;

