@@ -65,6 +65,10 @@ void writeFile(const std::string& path, const void* data, std::size_t size);
 /// opens no FIFO. A disk that fills up later is not foreseen. Throws OutputError.
 void checkOutput(const std::string& path);
 
+/// Where OutputFile(path) would put the file, whether or not there is one: an absolute path, its
+/// links followed as far as that can be done.
+std::string outputTarget(const std::string& path);
+
 /// A line of standard error is being redrawn: a signal that ends the program ends the line too, and
 /// a message begins below it.
 void setLineOpen(bool isOpen);

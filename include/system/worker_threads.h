@@ -21,3 +21,8 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
 /// again here.
 void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
                     const std::function<void(std::size_t)>& work);
+
+/// The same for calls that hand something on to the next one on their thread: makeWork() makes the
+/// `work` of each thread, on that thread.
+void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
+                    const std::function<std::function<void(std::size_t)>()>& makeWork);

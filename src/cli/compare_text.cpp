@@ -129,10 +129,9 @@ std::string pairLines(const std::vector<ComparedPair>& pairs) {
 /// other's rows: each locks the folder meanwhile, for a lock on the file would go with the old one.
 void addToCsv(const std::vector<ComparedPair>& pairs, const CompareRequest& request) {
   const std::string& path = request.csv;
-  std::error_code ignored;
-  const fs::path target = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
-  const OpenFile folder(target.parent_path().string());
+  const OpenFile folder(fs::path(outputTarget(path)).parent_path().string());
   folder.lock(true);
+  std::error_code ignored;
   std::string text, reason;
   if (fs::is_regular_file(path, ignored) && !readWholeFile(path, text, reason)) {
     throw OutputError(path, "what it holds cannot be read: " + reason);

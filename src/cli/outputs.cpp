@@ -26,22 +26,11 @@ using Kind = OutputRequest::Kind;
 std::string outputPath(const std::string& file) { return file == "-" ? "/dev/stdout" : file; }
 std::string inputPath(const std::string& file) { return file == "-" ? "/dev/stdin" : file; }
 
-/// Where a file of this name is or would be created, links followed.
-fs::path placeOf(const std::string& name) {
-  constexpr int kMostLinks = 40;  // as Linux allows
-  std::error_code error;
-  fs::path place = fs::absolute(name, error);
-  for (int i = 0; i < kMostLinks && fs::is_symlink(place, error) && !fs::exists(place, error); ++i)
-    place = place.parent_path() / fs::read_symlink(place, error);
-  const fs::path canonical = fs::weakly_canonical(place, error);
-  return error ? place : canonical;
-}
-
 /// True when both names lead to the same place, whether or not there is a file yet.
 bool isSamePlace(const std::string& a, const std::string& b) {
   std::error_code error;
   if (fs::is_character_file(a, error)) return false;
-  return (fs::equivalent(a, b, error) && !error) || placeOf(a) == placeOf(b);
+  return fs::equivalent(a, b, error) || outputTarget(a) == outputTarget(b);
 }
 
 /// The argument that prints lines on standard output, where no picture can go then; "" where none

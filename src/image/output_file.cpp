@@ -40,7 +40,7 @@ struct Place {
   int descriptor = -1;  // of this process, where the path stands for one
   bool isInPlace = false;
   bool exists = false;
-  int error = 0;  // errno of why nobody can say whether it exists
+  int error = 0;  // errno of why nobody can say what it stands for
   struct stat status = {};
 };
 
@@ -80,7 +80,8 @@ Place followLinks(const std::string& given) {
     place.isInPlace = isInProc || (place.exists && !S_ISREG(place.status.st_mode));
     return place;
   }
-  throw OutputError(given, std::strerror(ELOOP));
+  place.error = ELOOP;
+  return place;
 }
 
 bool isAllowed(const fs::path& path, int mode) {
@@ -215,3 +216,10 @@ void writeFile(const std::string& path, const void* data, std::size_t size) {
 }
 
 void checkOutput(const std::string& path) { findPlace(path); }
+
+std::string outputTarget(const std::string& path) {
+  std::error_code ignored;
+  const fs::path linkless = fs::absolute(followLinks(path).path, ignored);
+  const fs::path target = fs::weakly_canonical(linkless, ignored);
+  return target.empty() ? linkless : target;
+}

@@ -2,7 +2,6 @@
 #include "scene/obj_reader.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 
 #include "geometry/polygon.h"
@@ -27,25 +26,17 @@ struct IsUnclear {};
 /// Throws IsUnclear.
 std::vector<ObjChunk> readChunks(const OpenFile& file, const ObjReading& how) {
   std::vector<ObjChunk> chunks(std::size_t(file.regularSize() / off_t(how.chunkBytes)) + 1);
-  std::atomic<std::size_t> next{0};
-  const ObjReport fail = [&](const char*, const std::string&) {
-    next = chunks.size();  // so that the other threads end too
-    throw IsUnclear();
-  };
-  const auto readInTurn = [&](int) {
-    std::vector<char> buffer;
-    ObjChunk chunk;
-    for (std::size_t number; (number = next++) < chunks.size();) {
+  const ObjReport fail = [](const char*, const std::string&) { throw IsUnclear(); };
+  const auto makeReader = [&] {
+    return [&, buffer = std::vector<char>(), chunk = ObjChunk()](std::size_t number) mutable {
       const auto statements = readStatements(file, number, how.chunkBytes, buffer);
-      if (!statements) fail(nullptr, "");
+      if (!statements) throw IsUnclear();
       chunk.clear();
       readObjChunk(*statements, {}, fail, chunk);
       chunks[number] = chunk;
-    }
+    };
   };
-  constexpr std::size_t kStackBytes = std::size_t(1) << 20;
-  const int threads = int(std::min(std::size_t(how.threads), chunks.size()));
-  threads == 1 ? readInTurn(0) : runOnThreads(threads, kStackBytes, readInTurn);
+  shareOnThreads(how.threads, std::size_t(1) << 20, chunks.size(), makeReader);
   return chunks;
 }
 

@@ -87,11 +87,19 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
 
 void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
                     const std::function<void(std::size_t)>& work) {
+  shareOnThreads(threads, stackBytes, count, [&]() -> std::function<void(std::size_t)> {
+    return [&](std::size_t index) { work(index); };
+  });
+}
+
+void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
+                    const std::function<std::function<void(std::size_t)>()>& makeWork) {
   std::atomic<std::size_t> next{0};
   // Each thread is one call of runOnThreads, which makes many of ours: the counter of indices is
   // another one, so that an exception can use it up.
   const auto takeCalls = [&](int) {
     try {
+      const std::function<void(std::size_t)> work = makeWork();
       for (std::size_t i; (i = next++) < count;) work(i);
     } catch (...) {
       next = count;

@@ -55,3 +55,16 @@ TEST("shared calls are each made once, on any number of threads; none begins aft
   CHECK_THROWS(shareOnThreads(2, 1 << 16, 3000, failing), std::runtime_error);
   CHECK(begun < 3000);  // the other thread would take 0.3 s for all of them
 }
+
+TEST("each thread that shares calls makes work of its own for them, once") {
+  for (const int threads : {1, 3}) {
+    std::atomic<int> made{0}, sum{0};
+    const auto makeWork = [&] {
+      ++made;
+      return [&sum, own = 0](std::size_t) mutable { sum += ++own == 1; };
+    };
+    shareOnThreads(threads, 1 << 16, 1000, makeWork);
+    CHECK(made >= 1 && made <= threads);
+    CHECK(sum >= 1 && sum <= made);  // a thread may come too late for any call
+  }
+}
