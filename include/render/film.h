@@ -56,7 +56,7 @@ class Film {
     }
   };
 
-  void addAt(const Sample& place, const Vec3f& color, double share);
+  void addAt(const Sample& sample, const Vec3f& color, double share);
 
   PixelRectangle area_, picture_;
   Filter filter_;

@@ -25,7 +25,7 @@ struct PixelRectangle {
   bool contains(Pixel at) const {
     return at.i >= left && at.i < right && at.j >= bottom && at.j < top;
   }
-  /// The place of a pixel inside, counted row by row.
+  /// The number of a pixel inside, counted row by row.
   std::size_t index(Pixel at) const {
     return std::size_t(at.j - bottom) * std::size_t(width()) + std::size_t(at.i - left);
   }
@@ -63,11 +63,11 @@ struct Tiling {
   }
 };
 
-/// Every other bit of a place in a block of 16 x 16 pixels, from the lowest on: its column; that of
-/// place / 2 is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that any 2^n
+/// Every other bit of a pixel's number in a block of 16 x 16, from the lowest on: its column; that
+/// of half the number is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that any 2^n
 /// rays in a row lie in a small block, where they meet much the same things.
-constexpr int evenBits(int place) {
-  return (place & 1) | (place >> 1 & 2) | (place >> 2 & 4) | (place >> 3 & 8);
+constexpr int evenBits(int number) {
+  return (number & 1) | (number >> 1 & 2) | (number >> 2 & 4) | (number >> 3 & 8);
 }
 
 /// Calls visit(pixel) for the pixels of `area` in an order of the whole plane: blocks of 16 x 16
@@ -79,8 +79,8 @@ void visitInOrder(const PixelRectangle& area, const Visit& visit) {
   const auto blockStart = [](int at) { return at - (at % kBlock + kBlock) % kBlock; };
   for (int j = blockStart(area.bottom); j < area.top; j += kBlock) {
     for (int i = blockStart(area.left); i < area.right; i += kBlock) {
-      for (int place = 0; place < kBlock * kBlock; ++place) {
-        const Pixel at = {i + evenBits(place), j + evenBits(place >> 1)};
+      for (int number = 0; number < kBlock * kBlock; ++number) {
+        const Pixel at = {i + evenBits(number), j + evenBits(number >> 1)};
         if (area.contains(at)) visit(at);
       }
     }

@@ -9,10 +9,10 @@
 #include "render/watched_tracer.h"
 
 /// Tells each of the observers, one after the other, what becomes of the ray through the centre of
-/// pixel (place.left, place.bottom); width and height of `place` are given, above 0. Returns the
+/// pixel (window.left, window.bottom); width and height of `window` are given, above 0. Returns the
 /// pixel's colour, in which other samples may have a share: to the last bit that of a whole
 /// picture, unclamped. Traces on threads of its own, for as much stack as the bounces need.
-Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& place,
+Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& window,
                  const std::vector<RayObserver*>& observers);
 
 /// An observer that keeps rays as lines in space, for a modeller or mesh viewer.

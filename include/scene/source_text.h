@@ -24,9 +24,13 @@ class SourceText {
 
   const std::string& name() const { return name_; }
   std::string_view bytes() const { return bytes_; }
+  /// How many bytes stand before a place inside or at the end of the bytes; and those from there
+  /// on.
+  std::size_t offsetOf(const char* place) const { return std::size_t(place - bytes_.data()); }
+  std::string_view from(const char* place) const { return bytes().substr(offsetOf(place)); }
 
-  /// The line, counted from 1, of a place inside or at the end of the bytes. Time proportional
-  /// to what stands before it: for messages only.
+  /// The line, counted from 1, of such a place. Time proportional to what stands before it: for
+  /// messages only.
   std::size_t lineAt(const char* place) const;
 
  private:

@@ -41,7 +41,7 @@ class AskedMesh : public AskedTree {
  private:
   const TriangleMesh& mesh_;
   const MeshTree& tree_;
-  const std::uint32_t order_;  // place in the scene
+  const std::uint32_t order_;  // number in the order of the scene
 };
 
 /// One object of a tree.
@@ -60,7 +60,7 @@ struct TreeMember {
     const ObjectTree* objectTree;  // not owned
     const ShapeNumbers* shape;     // not owned
   };
-  std::uint32_t order;  ///< place in the scene
+  std::uint32_t order;  ///< number in the order of the scene
   Kind kind;
 
   /// The object, where it is a Transform; and the mesh, where a tree is asked for one.

@@ -190,7 +190,7 @@ struct Stream {
 struct LeafPrimitive {
   const Object3D* object;  ///< the mesh, where it is one of its faces
   const Material* material;
-  std::uint32_t order, face;  ///< place in the scene; 0 but for a face of a mesh
+  std::uint32_t order, face;  ///< number in the order of the scene; 0 but for a face of a mesh
   bool isSphere;
 };
 
@@ -218,7 +218,7 @@ struct ShapeNumbers {
   const Object3D* object;
   const Object3D* whole;  ///< the Transform, or the object
   const Material* material;
-  std::uint32_t order;  ///< place in the scene
+  std::uint32_t order;  ///< number in the order of the scene
 };
 
 /// A box around all that can be hit of an object, in numbers for doubles.

@@ -93,7 +93,7 @@ class ArgumentWords {
   /// The name of a picture that is written: likewise, with an ending that is known, or none.
   const std::string& picture(std::size_t index) const;
 
-  /// Likewise of the first word: its place among the choices of the argument's action; in the
+  /// Likewise of the first word: its number among the choices of the argument's action; in the
   /// message of a mistake the nearest one is proposed, unless not `proposes`.
   std::size_t choice(bool proposes = true) const;
 

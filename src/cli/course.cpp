@@ -150,10 +150,10 @@ Course courseAalto() {
 
 }  // namespace
 
-const Course& courseAt(std::size_t place) {
+const Course& courseAt(std::size_t number) {
   static const Course kRayTracing2012 = rayTracing2012();
   static const Course kCourses[] = {course2003(), course2004(), rayCasting2012(kRayTracing2012),
                                     course2016(), course2020(), courseThu(),
                                     courseAalto()};
-  return kCourses[place];
+  return kCourses[number];
 }

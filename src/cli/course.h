@@ -50,5 +50,5 @@ struct Course {
 inline constexpr std::string_view kCourseNames[] = {"2003", "2004", "2012", "2016",
                                                     "2020", "thu",  "aalto"};
 
-/// The course at that place among the names.
-const Course& courseAt(std::size_t place);
+/// The course of that number among the names, from 0.
+const Course& courseAt(std::size_t number);

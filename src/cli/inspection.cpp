@@ -110,8 +110,8 @@ std::string inspectPixel(const RayTracer& tracer, const ObjectPlaces& places,
   std::vector<RayObserver*> observers = {report.get()};
   if (obj) observers.push_back(&lines);
   // Users count rows from the top, the camera from the bottom.
-  const PictureWindow place = {at.x, picture.height - 1 - at.y, picture.width, picture.height};
-  const Vec3f color = tracePixel(tracer, place, observers);
+  const PictureWindow window = {at.x, picture.height - 1 - at.y, picture.width, picture.height};
+  const Vec3f color = tracePixel(tracer, window, observers);
   if (obj) obj->text = lines.obj();
   // The colour is the picture's, of all samples; what was reported is the central ray. So it is
   // told last, in numbers and as the bytes that a file has.

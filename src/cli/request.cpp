@@ -85,14 +85,14 @@ void startFrom(const Course& course, Draft& draft) {
 
 /// The course that the last -course chooses. A name that is none is told when its turn comes.
 const Course& courseOf(const std::vector<std::string>& words) {
-  std::size_t place = 0;
+  std::size_t number = 0;
   const WordList names(kCourseNames);
   for (std::size_t at = 1; at < words.size(); ++at) {
     const auto found = std::find(names.begin(), names.end(), words[at]);
     if (nameOf(words[at - 1]) == "course" && found != names.end())
-      place = std::size_t(found - names.begin());
+      number = std::size_t(found - names.begin());
   }
-  return courseAt(place);
+  return courseAt(number);
 }
 
 /// Enters all arguments in `draft`. Of equal arguments the last one wins.

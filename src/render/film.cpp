@@ -109,8 +109,8 @@ void Film::addSample(const Sample& sample, const Vec3f& color, double share) {
   }
 }
 
-void Film::addAt(const Sample& place, const Vec3f& color, double share) {
-  const auto [at, offset] = place;
+void Film::addAt(const Sample& sample, const Vec3f& color, double share) {
+  const auto [at, offset] = sample;
   const int reach = filter_.getSupportRadius();
   const PixelRectangle near =
       PixelRectangle{at.i, at.j, at.i + 1, at.j + 1}.grown(reach).within(area_);

@@ -32,13 +32,14 @@ bool isFinite(const Vec3d& v) {
 
 /// The observers watch the ray through the centre, each on a tracer of its own; the colour is
 /// another question, as samples around the pixel may have a share in it.
-Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& place,
+Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& window,
                  const std::vector<RayObserver*>& observers) {
-  const PictureView view(*tracer.scene().getCamera(), tracer.options().places, place.width,
-                         place.height);
+  const PictureView view(*tracer.scene().getCamera(), tracer.options().places, window.width,
+                         window.height);
   runOnThreads(1, tracingStack(tracer.options()), [&](int) {
     for (RayObserver* const observer : observers) {
-      traceAlone(view, WatchedTracer(tracer, *observer), {{place.left, place.bottom}, {0.5, 0.5}});
+      traceAlone(view, WatchedTracer(tracer, *observer),
+                 {{window.left, window.bottom}, {0.5, 0.5}});
     }
   });
   // The renderer gives a pixel of a window the very colour that it has in the whole picture.
@@ -47,7 +48,7 @@ Vec3f tracePixel(const RayTracer& tracer, const PictureWindow& place,
   RenderTargets targets;
   targets.color = &pixel;
   targets.exactColor = &color;
-  targets.window = place;
+  targets.window = window;
   render(tracer, 1, targets);
   return color.getPixel(0, 0);
 }

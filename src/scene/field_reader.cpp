@@ -275,7 +275,7 @@ bool FieldReader::checkRange(const Value& value) {
 }
 
 bool FieldReader::checkReflectance(const Value& value) {
-  Tokenizer words(text_.bytes().substr(std::size_t(value.at - text_.bytes().data())));
+  Tokenizer words(text_.from(value.at));
   for (const double component : value.numbers) {
     const char* const start = words.next().data();
     if (component >= 0 && component <= 1) continue;

@@ -58,8 +58,7 @@ std::vector<std::string> NamedFiles::paths() const {
 }
 
 void NamedFiles::report(const char* at, const std::string& message) const {
-  log_.add(std::size_t(at - scene_.bytes().data()),
-           InputError(scene_.name(), scene_.lineAt(at), message));
+  log_.add(scene_.offsetOf(at), InputError(scene_.name(), scene_.lineAt(at), message));
 }
 
 /// The path without links by which the file is known, or "" after a report of all that was tried.
@@ -125,8 +124,7 @@ bool MeshLibrary::read(const std::string& path, std::string_view name, std::size
   if (details.any() || !readObjFile(path, {hardwareThreads()}, mesh) || mesh.faceCount() == 0) {
     std::string bytes;
     if (!readWholeFile(path, bytes, reason)) return false;
-    const auto place = std::size_t(name.data() - scene_.bytes().data());
-    mesh = readText(path, std::move(bytes), place, details);
+    mesh = readText(path, std::move(bytes), scene_.offsetOf(name.data()), details);
   }
   if (log_.count() > mistakesBefore) return true;
   const bool isFlat = rules_.meshNormals == MeshNormals::flat ||

@@ -68,8 +68,7 @@ void FieldReader::report(const char* place, const std::string& message) {
   ++mistakeCount_;
   if (isQuiet_ || place == lastMistakeAt_) return;
   lastMistakeAt_ = place;
-  log_.add(std::size_t(place - text_.bytes().data()),
-           InputError(text_.name(), text_.lineAt(place), message));
+  log_.add(text_.offsetOf(place), InputError(text_.name(), text_.lineAt(place), message));
 }
 
 std::string FieldReader::found() const {
@@ -77,7 +76,7 @@ std::string FieldReader::found() const {
 }
 
 std::string_view FieldReader::wordAt(const char* place) const {
-  return Tokenizer(text_.bytes().substr(std::size_t(place - text_.bytes().data()))).next();
+  return Tokenizer(text_.from(place)).next();
 }
 
 void FieldReader::reportExpected(const std::string& expected) {

@@ -303,6 +303,5 @@ void SceneNotes::warnOfUnusedMaterials() {
 std::string_view SceneNotes::fromStartOf(const Object3D* object) const {
   const auto found = std::find_if(objectStarts.begin(), objectStarts.end(),
                                   [&](const auto& each) { return each.first == object; });
-  const std::string_view bytes = text_.bytes();
-  return bytes.substr(std::size_t(found->second - bytes.data()));
+  return text_.from(found->second);
 }
