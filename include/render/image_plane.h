@@ -64,8 +64,8 @@ struct Tiling {
 };
 
 /// Every other bit of a pixel's number in a block of 16 x 16, from the lowest on: its column; that
-/// of half the number is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that any 2^n
-/// rays in a row lie in a small block, where they meet much the same things.
+/// of half the number is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that
+/// any 2^n rays in a row lie in a small block, where they meet much the same things.
 constexpr int evenBits(int number) {
   return (number & 1) | (number >> 1 & 2) | (number >> 2 & 4) | (number >> 3 & 8);
 }

@@ -83,11 +83,12 @@ std::unique_ptr<Material> MaterialReader::read() {
   const bool isPhong =
       owner == "PhongMaterial" || owner == "Material" || owner == "BlinnPhongMaterial";
   const std::string_view block = in_.hasNodes() ? "node" : isPhong ? "Phong" : owner;
-  std::unique_ptr<NoiseMap> noise;
-  const Fields fields = in_.readFields(owner, {block, "any material"},
-                                       [&](std::string_view) { return readNoise(noise); });
+  const DiffuseMap* noise = nullptr;
+  const Fields fields = in_.readFields(owner, {block, "any material"}, [&](std::string_view) {
+    return (noise = readNoise()) != nullptr;
+  });
   std::unique_ptr<Material> material =
-      isPhong ? makePhong(owner, fields, std::move(noise)) : make(owner, fields);
+      isPhong ? makePhong(owner, fields, noise) : make(owner, fields);
   material->setPriority(fields["priority"].whole());
   return material;
 }
@@ -117,7 +118,7 @@ std::unique_ptr<Material> MaterialReader::make(std::string_view owner, const Fie
 /// Where the rules say so, the specular colour is that of mirror and glass too; what the scene
 /// itself says of these comes before it.
 std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, const Fields& fields,
-                                                    std::unique_ptr<NoiseMap> noise) {
+                                                    const DiffuseMap* noise) {
   const Vec3f diffuse = fields["diffuseColor"].color();
   Vec3f specular = fields["specularColor"].color();
   Vec3f transparent = fields["transparentColor"].color();
@@ -136,7 +137,7 @@ std::unique_ptr<Material> MaterialReader::makePhong(std::string_view owner, cons
   }
   if (!rules_.haveHighlights) specular = Vec3f();
   const auto made = [&](auto material) {
-    material->setDiffuseMap(mapOf(fields, std::move(noise)));
+    material->setDiffuseMap(mapOf(fields, noise));
     setHighlight(*material, owner);
     return material;
   };
@@ -171,8 +172,9 @@ Fresnel MaterialReader::fresnelOf(const Fields& fields) {
 // What takes the place of one diffuse colour: kept apart from the materials, by the PictureLibrary
 // and the scene; each material that has one is told of it.
 
-/// Reads the block behind `Noise`. The first color is that which a NoiseMap calls so.
-bool MaterialReader::readNoise(std::unique_ptr<NoiseMap>& noise) {
+/// Reads the block behind `Noise`. The first color is that which a NoiseMap calls so. Null after a
+/// mistake.
+const DiffuseMap* MaterialReader::readNoise() {
   const char* const start = in_.at();
   std::vector<Vec3f> colors;
   const Fields fields = in_.readFields("Noise", {"noise of colors"}, [&](std::string_view name) {
@@ -183,11 +185,13 @@ bool MaterialReader::readNoise(std::unique_ptr<NoiseMap>& noise) {
     if (colors.size() > 2) in_.reportFound(at, "two color in Noise");
     return colors.size() <= 2;
   });
-  if (!fields.areGood) return false;
-  if (colors.size() < 2) in_.report(start, "expected two color in Noise, found only one");
-  if (colors.size() < 2) return false;
-  noise = std::make_unique<NoiseMap>(colors[0], colors[1], wavesOf(fields));
-  return true;
+  if (!fields.areGood) return nullptr;
+  if (colors.size() < 2) {
+    in_.report(start, "expected two color in Noise, found only one");
+    return nullptr;
+  }
+  noiseMaps_.push_back(std::make_unique<NoiseMap>(colors[0], colors[1], wavesOf(fields)));
+  return noiseMaps_.back().get();
 }
 
 math::NoisyWaves MaterialReader::wavesOf(const Fields& fields) {
@@ -195,7 +199,7 @@ math::NoisyWaves MaterialReader::wavesOf(const Fields& fields) {
 }
 
 /// What of the words of a material takes the place of its diffuse colour; null where nothing does.
-const DiffuseMap* MaterialReader::mapOf(const Fields& fields, std::unique_ptr<NoiseMap> noise) {
+const DiffuseMap* MaterialReader::mapOf(const Fields& fields, const DiffuseMap* noise) {
   if (const char* const bump = fields["bump"].at) {
     notes_.warn(bump,
                 "bump is passed over: surfaces are drawn without " + quoted(in_.fileNameAt(bump)));
@@ -204,8 +208,5 @@ const DiffuseMap* MaterialReader::mapOf(const Fields& fields, std::unique_ptr<No
   if (texture && noise) {
     in_.report(texture, "expected texture or Noise in a material, found both");
   }
-  if (texture) return pictures_.find(in_.fileNameAt(texture));
-  if (!noise) return nullptr;
-  noiseMaps_.push_back(std::move(noise));
-  return noiseMaps_.back().get();
+  return texture ? pictures_.find(in_.fileNameAt(texture)) : noise;
 }

@@ -119,11 +119,11 @@ class MaterialReader {
   std::unique_ptr<Material> read();
   std::unique_ptr<Material> make(std::string_view owner, const Fields& fields);
   std::unique_ptr<Material> makePhong(std::string_view owner, const Fields& fields,
-                                      std::unique_ptr<NoiseMap> noise);
+                                      const DiffuseMap* noise);
   void setHighlight(PhongMaterial& material, std::string_view owner);
   Fresnel fresnelOf(const Fields& fields);
-  bool readNoise(std::unique_ptr<NoiseMap>& noise);
-  const DiffuseMap* mapOf(const Fields& fields, std::unique_ptr<NoiseMap> noise);
+  const DiffuseMap* readNoise();
+  const DiffuseMap* mapOf(const Fields& fields, const DiffuseMap* noise);
   std::unique_ptr<Material> readTexture(std::string_view owner);
   std::unique_ptr<Material> makeTexture(std::string_view owner, const Fields& fields,
                                         const TextureWords& words);

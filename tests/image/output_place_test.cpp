@@ -63,7 +63,10 @@ TEST("a symbolic link stays, and the file that it points to is replaced") {
 TEST("a symbolic link to a file that is not there yet creates that file") {
   const std::string folder = emptyFolder("dangling");
   fs::create_symlink("target", folder + "/link");
+  const std::string target = (fs::canonical(folder) / "target").string();
+  CHECK_EQUAL(outputTarget(folder + "/link"), target);
   write(folder + "/link", "new");
+  CHECK_EQUAL(outputTarget(folder + "/link"), target);
   CHECK(fs::is_symlink(folder + "/link"));
   CHECK_EQUAL(contentOf(folder + "/target"), "new");
   CHECK_EQUAL(entriesOf(folder), 2);
@@ -75,6 +78,8 @@ TEST("links in a circle are an error") {
   fs::create_symlink("a", folder + "/b");
   CHECK_EQUAL(faultOf(folder + "/a"), "Too many levels of symbolic links");
   CHECK_EQUAL(earlyFaultOf(folder + "/a"), "Too many levels of symbolic links");
+  const std::string target = outputTarget(folder + "/a");  // one of them, and no error
+  CHECK_EQUAL(fs::path(target).parent_path(), fs::canonical(folder));
 }
 
 TEST("a missing folder, a folder, and an empty name are errors, early and late") {
