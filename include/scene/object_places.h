@@ -38,21 +38,18 @@ class ObjectPlaces {
   const std::string& file() const { return file_; }
 
  private:
-  static constexpr std::size_t kNone = std::size_t(-1);
   struct Place {
-    std::string_view kind;  // a literal of kPlaceWords
-    std::size_t line;
-    std::size_t parent;   // an index; kNone outside of all
-    std::size_t number;   // among the members of the parent, from 1
-    std::size_t members;  // so far
+    std::string_view kind;             // a literal of kPlaceWords; empty for the file
+    std::size_t line = 0, parent = 0;  // `parent` is an index
+    std::size_t number = 0;            // among the members of the parent, from 1
+    std::size_t members = 0;           // so far
   };
 
   std::string nameOf(const Place& place) const;
 
   std::string file_;
   const char* counted_ = nullptr;  // lines before this have been counted
-  std::size_t line_ = 1;
-  std::size_t open_ = kNone, topMembers_ = 0;
-  std::vector<Place> places_;                        // in file order
+  std::size_t line_ = 1, open_ = 0;
+  std::vector<Place> places_{Place{}};               // the file, then the objects in their order
   std::map<const Object3D*, std::size_t> byObject_;  // indices
 };

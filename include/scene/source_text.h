@@ -63,9 +63,6 @@ class Tokenizer {
 /// Whether the bytes seem to be text in UTF-16, with a mark at the start or without.
 bool isWideText(std::string_view bytes);
 
-/// Whether the bytes hold a NUL, as no text does.
-inline bool isBinary(std::string_view bytes) { return bytes.find('\0') != bytes.npos; }
-
 /// What a file seems to be that is no plain text of ours, with what to do about it, such as "a gzip
 /// file: unpack it first"; "" where it may be one.
 std::string otherKindOf(std::string_view bytes);

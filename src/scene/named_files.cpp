@@ -149,7 +149,8 @@ MeshGeometry MeshLibrary::readText(const std::string& path, std::string bytes, s
   const SourceText text(path, std::move(bytes));
   MeshGeometry mesh = readObj(text, log_, place, warnings_, details);
   const bool isNothing = mesh.getVertices().empty() && log_.count() == mistakesBefore;
-  return isNothing && isBinary(text.bytes()) ? reportKind("a binary file") : std::move(mesh);
+  const bool hasNul = text.bytes().find('\0') != std::string_view::npos;  // as no text has
+  return isNothing && hasNul ? reportKind("a binary file") : std::move(mesh);
 }
 
 // Pictures.

@@ -10,10 +10,8 @@ void ObjectPlaces::begin(std::string_view kind, const char* place) {
   line_ += std::size_t(std::count(counted_, place, '\n'));
   counted_ = place;
   const auto word = std::find(kPlaceWords.begin(), kPlaceWords.end(), kind);
-  std::size_t& members = open_ == kNone ? topMembers_ : places_[open_].members;
-  const Place added = {*word, line_, open_, ++members, 0};
-  open_ = places_.size();
-  places_.push_back(added);
+  places_.push_back({*word, line_, open_, ++places_[open_].members});
+  open_ = places_.size() - 1;
 }
 
 void ObjectPlaces::end(const Object3D* object) {
@@ -27,7 +25,7 @@ std::size_t ObjectPlaces::lineOf(const Object3D* object) const {
 }
 
 std::string ObjectPlaces::nameOf(const Place& place) const {
-  const bool isAlone = place.parent != kNone && places_[place.parent].kind == "Transform";
+  const bool isAlone = places_[place.parent].kind == "Transform";
   return std::string(place.kind) + (isAlone ? "" : " " + std::to_string(place.number));
 }
 
@@ -36,7 +34,7 @@ std::string ObjectPlaces::pathOf(const Object3D* object) const {
   if (found == byObject_.end()) return "";
   const Place* place = &places_[found->second];
   std::string path = nameOf(*place);
-  while (place->parent != kNone) {
+  while (place->parent != 0) {
     place = &places_[place->parent];
     path.insert(0, nameOf(*place) + " > ");
   }

@@ -19,8 +19,6 @@ inline constexpr Languages kOf2003 = only(Language::of2003), kOf2012 = only(Lang
                            kOf2016 = only(Language::of2016), kOf2020 = only(Language::of2020),
                            kOfThu = only(Language::ofThu), kNot2003 = but(kOf2003),
                            kNot2020 = but(kOf2020);
-/// Those in which a background may be a cube map.
-inline constexpr Languages kOfCubeMaps = kOf2012 | kOf2016 | kOf2020;
 /// A course that has the language.
 inline constexpr std::pair<Language, std::string_view> kLanguageNames[] = {
     {Language::of2003, "2003"}, {Language::of2012, "2012"}, {Language::of2016, "2016"},
@@ -104,7 +102,7 @@ inline constexpr Field kFields[] = {
 
     {"Background", "color", Form::color, Range::color, kOptional, {0.5, 0.5, 0.5}},
     {"Background", "ambientLight", Form::color, Range::color, kOptional, {}, but(kOfThu)},
-    {"Background", "cubeMap", Form::fileName, Range::any, kOptional, {}, kOfCubeMaps},
+    {"Background", "cubeMap", Form::fileName, Range::any, kOptional, {}, but(kOf2003 | kOfThu)},
 
     {"any material", "diffuseColor", Form::color, Range::color, kOptional, {1, 1, 1}, kNot2020},
     {"any material", "transparentColor", Form::color, Range::color, kOptional, {}, kNot2020},
