@@ -32,7 +32,7 @@ inline double magnitudeOf(double t, const Vec3d& point, const Ray& ray, double e
 class Hit {
  public:
   /// Nothing found yet, and everything is near enough.
-  Hit() {}  // were it defaulted, Hit() would first clear all bytes, slowly
+  Hit() = default;
   /// Nothing found yet; only surfaces with t < tmax count. tmax may be infinite.
   explicit Hit(double tmax) : t_(tmax) {}
   /// A hit at parameter t, of no known primitive and at no known point: enough for

@@ -75,7 +75,7 @@ class Object3D {
 struct ShadowQuery {
   Ray ray;
   double tmin = 0, tmax = 0;
-  ShadowQuery() {}  // were it defaulted, it would first clear all bytes, slowly
+  ShadowQuery() = default;
   ShadowQuery(const Ray& r, double from, double to) : ray(r), tmin(from), tmax(to) {}
 };
 

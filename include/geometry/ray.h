@@ -10,7 +10,7 @@ class Object3D;
 
 class Ray {
  public:
-  Ray() {}  // were it defaulted, Ray() would first clear all bytes, slowly
+  Ray() = default;
   /// The direction must not be zero; its length is the unit of t.
   Ray(const Vec3d& origin, const Vec3d& direction) : origin_(origin), direction_(direction) {}
 

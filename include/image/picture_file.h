@@ -17,24 +17,21 @@ inline constexpr const char* kPictureEndings[] = {"tga", "png", "bmp", "ppm", "p
 
 /// By the ending of the file's name, in capitals or not; `unnamed` where there is none.
 /// std::nullopt where the ending is none of kPictureEndings.
-std::optional<PictureFormat> knownFormatOf(const std::string& path,
-                                           PictureFormat unnamed = PictureFormat::tga);
-/// The same, TGA where the ending is unknown.
-PictureFormat formatOf(const std::string& path, PictureFormat unnamed = PictureFormat::tga);
+std::optional<PictureFormat> formatOf(const std::string& path,
+                                      PictureFormat unnamed = PictureFormat::tga);
 
 /// What a picture that is part of another says of that: where it lies in it, and a text of at most
-/// 255 bytes.
-/// (TGA's specification counts origins from the lower left of a screen; like POV-Ray's parts, ours
-/// begin at the corner that comes first in the file.)
+/// 255 bytes. (TGA's specification counts origins from the lower left of a screen; like POV-Ray's
+/// parts, ours begin at the corner that comes first in the file.)
 struct TgaPart {
   int x = 0, y = 0;  ///< of the first pixel, from the top left corner of the whole, 0..65535
   std::string id;
 };
 
-/// Writes the picture in the format of the file's ending, or else `unnamed`, by OutputFile. A PFM
-/// of it has each byte over 255; `part` is for a TGA only. A PNG is compressed by `threads` >= 1
-/// threads at most. Throws OutputError, also for a TGA of a side of more than 65535 pixels, and for
-/// a BMP of more than 2^30 pixels.
+/// Writes the picture by OutputFile in formatOf(path, unnamed), where the ending is unknown as a
+/// TGA. A PFM of it has each byte over 255; `part` is for a TGA only. A PNG is compressed by
+/// `threads` >= 1 threads at most. Throws OutputError, also for a TGA of a side of more than 65535
+/// pixels, and for a BMP of more than 2^30 pixels.
 void writePicture(const Image& image, const std::string& path, int threads = 1,
                   const TgaPart& part = {}, PictureFormat unnamed = PictureFormat::tga);
 /// Writes a PFM, whatever the ending. Throws OutputError.

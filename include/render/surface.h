@@ -40,7 +40,6 @@ struct LightSample {
   Vec3f color;             ///< what arrives where nothing is in the way
   double distance = 0;     ///< along `direction`, perhaps infinite
   bool isInFront = false;  ///< isLit: the side that lights see is turned towards it
-  LightSample() {}         // were it defaulted, it would first clear all bytes, slowly
 };
 
 /// Whether a light in a direction reaches a surface whose normal, on the side that lights see, is

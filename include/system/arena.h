@@ -44,7 +44,7 @@ class Arena {
 
  private:
   struct alignas(kAlignment) Line {
-    Line() {}  // were it defaulted, make_unique would clear all bytes
+    Line() {}  // defaulted, make_unique would clear all: 1.04 to 1.09 of a small picture
     unsigned char bytes[kAlignment];
   };
   struct Block {

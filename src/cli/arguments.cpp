@@ -290,7 +290,7 @@ const std::string& ArgumentWords::notEmpty(std::size_t index, const char* expect
 
 const std::string& ArgumentWords::picture(std::size_t index) const {
   const std::string& name = file(index);
-  if (!knownFormatOf(name)) {
+  if (!formatOf(name)) {
     std::string endings;
     for (const char* const ending : kPictureEndings) {
       endings += std::string(endings.empty() ? "." : ", .") + ending;

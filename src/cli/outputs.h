@@ -26,7 +26,7 @@ void checkDifferent(const std::string& arguments, const std::string& a, const st
 /// An output and what is in it. One without a file is traced and not written.
 struct Output : OutputRequest {
   explicit Output(const OutputRequest& request, PictureFormat unnamed = PictureFormat::tga)
-      : OutputRequest(request), format(formatOf(file, unnamed)) {}
+      : OutputRequest(request), format(formatOf(file, unnamed).value_or(PictureFormat::tga)) {}
 
   PictureFormat format;    ///< of the file, but for `rays`
   Image image;             ///< empty until makeImages, of `rays` always

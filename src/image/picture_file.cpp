@@ -81,7 +81,7 @@ void write(const std::string& path, const EncodeTo& encodeTo) {
 
 }  // namespace
 
-std::optional<PictureFormat> knownFormatOf(const std::string& path, PictureFormat unnamed) {
+std::optional<PictureFormat> formatOf(const std::string& path, PictureFormat unnamed) {
   const std::size_t dot = path.find_last_of("./");
   if (dot == std::string::npos || path[dot] == '/') return unnamed;
   std::string ending = path.substr(dot + 1);
@@ -95,13 +95,9 @@ std::optional<PictureFormat> knownFormatOf(const std::string& path, PictureForma
   return PictureFormat(found - std::begin(kPictureEndings));
 }
 
-PictureFormat formatOf(const std::string& path, PictureFormat unnamed) {
-  return knownFormatOf(path, unnamed).value_or(PictureFormat::tga);
-}
-
 void writePicture(const Image& image, const std::string& path, int threads, const TgaPart& part,
                   PictureFormat unnamed) {
-  const PictureFormat format = formatOf(path, unnamed);
+  const PictureFormat format = formatOf(path, unnamed).value_or(PictureFormat::tga);
   const int width = image.Width(), height = image.Height();
   // TGA has 16 bits for each side. Told before the file is opened, which stays as it is.
   const std::string size =
