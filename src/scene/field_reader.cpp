@@ -1,8 +1,8 @@
-// Reading the blocks and values of a scene file by the tables of scene_grammar.h.
+// Reading the values and lists of a scene file by the tables of scene_grammar.h. (Whole blocks of
+// fields: fields.cpp.)
 //
-// The fields of a block are found by their names. Their values are read by their kinds; most are
-// plain numbers, which are tried at a stretch before any word is cut. Only when the block has ended
-// are missing fields and ranges looked at: of a field that is given twice the last value counts.
+// Values are read by their kinds; most are plain numbers, which are tried at a stretch before any
+// word is cut. Ranges are looked at when the block has ended.
 #include "scene/field_reader.h"
 
 #include <algorithm>
@@ -14,14 +14,6 @@
 #include "scene/scene_parser.h"
 
 namespace {
-
-/// True for MaterialIndex where a field is called materialIndex.
-bool isCapitalised(std::string_view word, const Fields& fields) {
-  return std::any_of(fields.begin(), fields.end(), [&](const Value& value) {
-    const std::string_view name = value.field->name;
-    return word.substr(1) == name.substr(1) && word[0] == name[0] - 'a' + 'A';
-  });
-}
 
 /// How many numbers such a value has.
 std::size_t countOf(Form form) { return form == Form::vector || form == Form::color ? 3 : 1; }
@@ -162,51 +154,7 @@ std::string_view FieldReader::fileNameAt(const char* at) const {
   return {};
 }
 
-// Fields.
-
-Fields FieldReader::readFields(std::string_view owner,
-                               std::initializer_list<std::string_view> blocks,
-                               const OwnReader& readOwn, const char* start) {
-  Fields fields(language_, blocks);
-  const std::size_t mistakesBefore = mistakeCount_;
-  const char* const place = start ? start : at();
-  if (!start && !openBlock(owner)) return fields;
-  const bool isWhole = readNames(owner, fields, readOwn);
-  if (isWhole && mistakeCount_ == mistakesBefore) reportMissing(owner, place, fields);
-  fields.areGood = isWhole && mistakeCount_ == mistakesBefore;
-  for (const Value& value : fields) {
-    const bool isLimited = value.at && value.field->range != Range::any;
-    if (isLimited) fields.areGood &= checkRange(value);
-  }
-  return fields;
-}
-
-/// Reads fields up to the block's }, and takes that. False where the block does not end so.
-bool FieldReader::readNames(std::string_view owner, Fields& fields, const OwnReader& readOwn) {
-  for (Value* next = fields.begin(); !isAt('}');) {
-    if (Value* const value = fields.find(word_, next); value != fields.end()) {
-      readField(*value, readOwn);
-      next = value + 1;
-    } else if (const Languages languages = fields.languagesOfField(word_)) {
-      skipUnknown(owner, fields.names(), languages);
-    } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, fields))) {
-      closeBlock(owner);
-      return false;
-    } else {
-      skipUnknown(owner, fields.names());
-    }
-  }
-  advance();
-  return true;
-}
-
-void FieldReader::reportMissing(std::string_view owner, const char* start, const Fields& fields) {
-  for (const Value& value : fields) {
-    if (value.field->isOptional || value.at) continue;
-    report(start, "expected " + std::string(value.field->name) + " in " + std::string(owner) +
-                      ", found none before its '}'");
-  }
-}
+// The value of a field.
 
 /// Reads a field from its name on.
 void FieldReader::readField(Value& value, const OwnReader& readOwn) {

@@ -155,6 +155,8 @@ class FieldReader {
   /// Reads one of `choices` and tells which.
   bool readChoice(std::string_view what, WordList choices, std::size_t& index);
 
+  // Blocks of fields (fields.cpp), and lists.
+
   /// Reads `{ name value ... }`, in any order, each name as often as it comes; the last one holds.
   /// The fields are those of the `blocks` of the table. A required field that is missing is a
   /// mistake too, and so is a value out of its range. Where the `{` has been taken already, `start`

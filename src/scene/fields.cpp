@@ -1,8 +1,9 @@
-// Fields: the values of one block, found by their names.
+// Fields: the values of one block, found by their names, and how they are read.
 //
 // The table of scene_grammar.h has a row for each field of each block; a block's values are those
 // of its own rows and of the rows that it shares with others, in the languages that are read, with
-// their defaults until something is given.
+// their defaults until something is given. Only when the block has ended are missing fields and
+// ranges looked at: of a field that is given twice the last value counts.
 #include <algorithm>
 
 #include "scene/field_reader.h"
@@ -29,6 +30,14 @@ constexpr auto kBlockEnds = [] {
 }();
 
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
+
+/// True for MaterialIndex where a field is called materialIndex.
+bool isCapitalised(std::string_view word, const Fields& fields) {
+  return std::any_of(fields.begin(), fields.end(), [&](const Value& value) {
+    const std::string_view name = value.field->name;
+    return word.substr(1) == name.substr(1) && word[0] == name[0] - 'a' + 'A';
+  });
+}
 
 }  // namespace
 
@@ -83,4 +92,50 @@ Languages Fields::languagesOfField(std::string_view name) const {
     if (field.name == name && std::any_of(begin(), end(), isOfBlock)) languages |= field.languages;
   }
   return languages;
+}
+
+// Reading them.
+
+Fields FieldReader::readFields(std::string_view owner,
+                               std::initializer_list<std::string_view> blocks,
+                               const OwnReader& readOwn, const char* start) {
+  Fields fields(language_, blocks);
+  const std::size_t mistakesBefore = mistakeCount_;
+  const char* const place = start ? start : at();
+  if (!start && !openBlock(owner)) return fields;
+  const bool isWhole = readNames(owner, fields, readOwn);
+  if (isWhole && mistakeCount_ == mistakesBefore) reportMissing(owner, place, fields);
+  fields.areGood = isWhole && mistakeCount_ == mistakesBefore;
+  for (const Value& value : fields) {
+    const bool isLimited = value.at && value.field->range != Range::any;
+    if (isLimited) fields.areGood &= checkRange(value);
+  }
+  return fields;
+}
+
+/// Reads fields up to the block's }, and takes that. False where the block does not end so.
+bool FieldReader::readNames(std::string_view owner, Fields& fields, const OwnReader& readOwn) {
+  for (Value* next = fields.begin(); !isAt('}');) {
+    if (Value* const value = fields.find(word_, next); value != fields.end()) {
+      readField(*value, readOwn);
+      next = value + 1;
+    } else if (const Languages languages = fields.languagesOfField(word_)) {
+      skipUnknown(owner, fields.names(), languages);
+    } else if (atEnd() || (isAtBlock() && !isCapitalised(word_, fields))) {
+      closeBlock(owner);
+      return false;
+    } else {
+      skipUnknown(owner, fields.names());
+    }
+  }
+  advance();
+  return true;
+}
+
+void FieldReader::reportMissing(std::string_view owner, const char* start, const Fields& fields) {
+  for (const Value& value : fields) {
+    if (value.field->isOptional || value.at) continue;
+    report(start, "expected " + std::string(value.field->name) + " in " + std::string(owner) +
+                      ", found none before its '}'");
+  }
 }
