@@ -22,7 +22,7 @@ constexpr const char* kStart = R"(raytracer: renders a scene file to an image, f
 )";
 constexpr const char* kForms =
     R"(Arguments come in any order, with one dash or two; the last of two equal ones
-wins. A word may follow behind =, and a size have an x: -bounces=5 -size 640x480.
+wins. A word may follow behind =, and a size have an x: -bounces=5 -size 64x48.
 )";
 constexpr const char* kHelpBegin =
     R"(-input, -compare or -merge is needed, and with -input at least one of -output,

@@ -234,7 +234,7 @@ TEST("a value may follow its argument behind =, and a size have an x between its
   CHECK_EQUAL(parse({"--size=7x9"}).render.picture.height, 9);
   CHECK(contains(mistake({"-size", "100x"}), "-size"));
   CHECK(contains(mistake({"-ouput=a.tga"}), "unknown argument"));
-  CHECK(contains(fullHelp(), "-bounces=5 -size 640x480"));
+  CHECK(contains(fullHelp(), "-bounces=5 -size 64x48"));
 }
 
 TEST("an output's ending must be known, or missing") {
