@@ -53,6 +53,8 @@ class BoundingBox {
   bool contains(const BoundingBox& other) const {
     return least(other.low_, low_) == low_ && largest(other.high_, high_) == high_;
   }
+  /// The largest coordinate by size; infinite for an empty box.
+  double extent() const { return larger(maxAbs(low_), maxAbs(high_)); }
   /// The longest side; 0 for an empty box.
   double longestSide() const {
     const Vec3d size = high_ - low_;

@@ -118,7 +118,7 @@ SceneGeometry::SceneGeometry(const Object3D& root, const Acceleration& wanted,
   } else if (wanted.cellPicture != Acceleration::CellPicture::none) {
     buildCells(wanted, cells);
   } else if (wanted.kind == Acceleration::Kind::grid) {
-    auto grid = std::make_unique<Grid>(root, wanted.gridSize, GridLimits{}, tally);
+    auto grid = std::make_unique<Grid>(root, wanted.gridSize, tally);
     description_ = grid->describe();
     built_ = std::move(grid);
   } else if (tally) {

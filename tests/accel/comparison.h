@@ -14,8 +14,8 @@ namespace accel_test {
 
 inline constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// So little room that the faces of meshes are listed by several and cells grow.
-inline constexpr GridLimits kTightLimits = {20, 200};
+/// So little room that the cells of a grid grow.
+inline constexpr double kFewEntries = 200;
 
 /// Every instruction set that this processor has.
 inline std::vector<SimdLevel> levels() {
@@ -81,7 +81,7 @@ class Comparison {
     for (const GridSize& size : {GridSize{1, 1, 1}, GridSize{7, 5, 6}, GridSize{40, 3, 33}}) {
       add(std::make_unique<Grid>(root, size));
     }
-    add(std::make_unique<Grid>(root, GridSize{9, 9, 9}, kTightLimits));
+    add(std::make_unique<Grid>(root, GridSize{9, 9, 9}, nullptr, kFewEntries));
   }
 
   /// intersect, occluded and visitCrossings.

@@ -127,13 +127,22 @@ TEST("triangles that cover the whole grid do not fill each of 2^24 cells with a 
   CHECK(grid.intersect(Ray({-0.5, 0.5, 5}, {0, 0, -1}), hit, 0));
 }
 
-TEST("with little room meshes are listed by runs of faces, and every face is still hit") {
+TEST("with little room cells grow to two entries a face, and every face is still hit") {
+  // Two triangles whose boxes fill all four cells: 8 entries are too many, those of two cells not.
   Owner owner;
+  Group crossed;
+  for (const double x : {0.0, 4.0}) {
+    crossed.addObject(&owner.make<Triangle>(Vec3d(x, 0, 0), Vec3d(4 - x, 1, 0), Vec3d(x, 1, 1),
+                                            owner.material(0)));
+  }
+  CHECK(contains(Grid(crossed, {4, 1, 1}, nullptr, 7).describe(), "2 x 1 x 1 cells; "));
+  CHECK(contains(Grid(crossed, {4, 1, 1}, nullptr, 8).describe(), "4 x 1 x 1 cells; "));
+  CHECK(contains(Grid(crossed, {4, 1, 1}, nullptr, 1).describe(), "2 x 1 x 1 cells; "));
   Group group;
   const MeshGeometry* ball = owner.geometry(shapes::ball(2));
   group.addObject(&owner.make<TriangleMesh>(ball, owner.material(0)));
   CHECK_EQUAL(ball->faceCount(), 128u);
-  const Grid grid(group, {4, 4, 4}, {9, 1000});
+  const Grid grid(group, {4, 4, 4}, nullptr, 9);
   for (std::uint32_t face = 0; face < ball->faceCount(); ++face) {
     const Vec3d middle =
         (ball->corner(face, 0) + ball->corner(face, 1) + ball->corner(face, 2)) / 3;

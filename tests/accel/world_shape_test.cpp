@@ -1,8 +1,7 @@
 // Which cells a ball and a triangle have a part in.
-#include "accel/grid/world_shape.h"
-
 #include <vector>
 
+#include "accel/grid/flat_scene.h"
 #include "check.h"
 #include "random.h"
 #include "vectors.h"
@@ -41,7 +40,11 @@ double areaInside(const Vec3d (&corners)[3], const BoundingBox& cell) {
 }
 
 WorldShape triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return WorldShape::triangle(Matrix(), {a, b, c});
+  return {Matrix(), {a, b, c}};
+}
+
+WorldShape ball(const Vec3d& center, double radius) {
+  return {Matrix(), Sphere(center, radius, nullptr)};
 }
 
 bool overlap(const Vec3d (&corners)[3], const BoundingBox& cell) {
@@ -94,27 +97,28 @@ TEST("touching a cell is not enough, but lying in the plane of its side is") {
 TEST("a ball meets a cell that is nearer than its radius, and surrounds one that is all inside") {
   // From (2, 3, 0.5) the nearest point of the unit cell is (1, 1, 0.5), sqrt(5) away.
   const Vec3d center(2, 3, 0.5);
-  CHECK(!WorldShape::ball(Matrix(), center, std::sqrt(5) - 1e-12).meets(kUnitCell));
-  CHECK(WorldShape::ball(Matrix(), center, std::sqrt(5) + 1e-12).meets(kUnitCell));
+  CHECK(!ball(center, std::sqrt(5) - 1e-12).meets(kUnitCell));
+  CHECK(ball(center, std::sqrt(5) + 1e-12).meets(kUnitCell));
   // The farthest is (0, 0, 0) or (0, 0, 1): sqrt(13.25) away.
-  CHECK(!WorldShape::ball(Matrix(), center, std::sqrt(13.25) - 1e-12).surrounds(kUnitCell));
-  CHECK(WorldShape::ball(Matrix(), center, std::sqrt(13.25) + 1e-12).surrounds(kUnitCell));
+  CHECK(!ball(center, std::sqrt(13.25) - 1e-12).surrounds(kUnitCell));
+  CHECK(ball(center, std::sqrt(13.25) + 1e-12).surrounds(kUnitCell));
   // From inside it is met, however small.
-  CHECK(WorldShape::ball(Matrix(), {0.5, 0.5, 0.5}, 0.01).meets(kUnitCell));
+  CHECK(ball({0.5, 0.5, 0.5}, 0.01).meets(kUnitCell));
 }
 
 TEST("turned, mirrored and evenly stretched a ball stays one; otherwise only its box is known") {
   const Matrix turned = Matrix::rotation({1, 2, 3}, 40) * Matrix::scale({2, -2, 2});
   const Vec3d center(1, 1, 1);
   // Twice the radius, at twice the distance from the origin: sqrt(12) - 2 is left.
-  const WorldShape ball = WorldShape::ball(turned, center, 1);
-  CHECK(ball.isKnown());
+  const WorldShape moved(turned, Sphere(center, 1, nullptr));
+  CHECK(moved.isKnown());
   const Vec3d middle = turned.transformPoint(center);
   const Vec3d end = middle * ((std::sqrt(12) - 2) / length(middle));
-  CHECK(ball.meets({end * 1.001, end * 1.001}));
-  CHECK(!ball.meets({end * 0.999, end * 0.999}));
-  CHECK(!WorldShape::ball(Matrix::scale({1, 1, 1.001}), center, 1).isKnown());
+  CHECK(moved.meets({end * 1.001, end * 1.001}));
+  CHECK(!moved.meets({end * 0.999, end * 0.999}));
+  CHECK(!WorldShape(Matrix::scale({1, 1, 1.001}), Sphere(center, 1, nullptr)).isKnown());
   const double rows[3][4] = {{1, 0.001, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-  CHECK(!WorldShape::ball(Matrix(rows), center, 1).isKnown());
-  CHECK(WorldShape().meets(kUnitCell) && !WorldShape().surrounds(kUnitCell));
+  CHECK(!WorldShape(Matrix(rows), Sphere(center, 1, nullptr)).isKnown());
+  const WorldShape box{BoundingBox()};
+  CHECK(box.meets(kUnitCell) && !box.surrounds(kUnitCell));
 }

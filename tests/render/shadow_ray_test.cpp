@@ -99,7 +99,7 @@ TEST("a grid counts the cells that a ray visits and the objects that they list")
   Group root;
   for (const Sphere& ball : balls) root.addObject(&ball);
   TestTally tally;
-  const Grid counting(root, {4, 1, 1}, {}, &tally);
+  const Grid counting(root, {4, 1, 1}, &tally);
   Hit hit;
   CHECK(counting.intersect(Ray({-5, 0, 0}, {1, 0, 0}), hit, 0));
   CHECK_EQUAL(tally.total().nearest.nodes, 1u);

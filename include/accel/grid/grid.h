@@ -9,29 +9,21 @@
 // thousand sizes of the scene away.
 #pragma once
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "accel/grid/grid_frame.h"
 #include "accel/test_tally.h"
 #include "geometry/object3d.h"
 
-/// What bounds the memory of a grid.
-struct GridLimits {
-  double items = 0x1p25;    ///< runs of faces, at the most, that are listed for meshes
-  double entries = 0x1p26;  ///< of the lists of all cells together
-};
-
 class Grid : public Object3D {
  public:
   /// Sorts everything below `root` into cells. `root` and what it holds are not owned, must outlive
-  /// the grid and must not change any more. Where the lists would have more entries than `limits`
-  /// allow, the sides of `size` are halved until they have not; where the scene has more faces, 2,
-  /// 3, 4 ... faces of a mesh in a row are listed as one. Where `tally` (not owned) is not null, it
-  /// is told the cells visited and the objects and faces tested, each as often as cells list it;
-  /// for crossings once.
-  Grid(const Object3D& root, const GridSize& size, const GridLimits& limits = {},
-       TestTally* tally = nullptr);
+  /// the grid and must not change any more. Where the lists of all cells together would have more
+  /// than `mostEntries`, and than 2 for each face, the sides of `size` are halved until they have
+  /// not. Where `tally` (not owned) is not null, it is told the cells visited and the objects and
+  /// faces tested, each as often as cells list it; for crossings once.
+  Grid(const Object3D& root, const GridSize& size, TestTally* tally = nullptr,
+       double mostEntries = 0x1p26);
   ~Grid() override;
 
   bool intersect(const Ray& ray, Hit& hit, double tmin) const override;
@@ -44,8 +36,6 @@ class Grid : public Object3D {
  private:
   struct Cells;
 
-  TestTally* tally_;                         // not owned
-  std::optional<CountingTree> countedRoot_;  // where there is a tally
-  const Object3D* plain_;                    // the root itself, or counted
+  TestTally* tally_;  // not owned
   std::unique_ptr<const Cells> cells_;
 };

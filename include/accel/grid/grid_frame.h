@@ -20,9 +20,9 @@ inline constexpr int kMaxGridCells = 1 << 24;
 struct CellRange {
   GridSize first, last;
 
-  double count() const {
-    return double(last[0] - first[0] + 1) * (last[1] - first[1] + 1) * (last[2] - first[2] + 1);
-  }
+  /// How many cells there are along each axis, and in all.
+  GridSize size() const { return last - first + GridSize(1, 1, 1); }
+  double count() const { return double(size().x()) * size().y() * size().z(); }
 };
 
 /// Calls visit(cell) for every cell of the range, in the order of GridFrame::indexOf.
@@ -38,37 +38,34 @@ void forEachCell(const CellRange& range, const Visit& visit) {
 
 class GridFrame {
  public:
-  /// No cells: no ray passes any.
-  GridFrame() : GridFrame(BoundingBox(), {}) {}
   /// Divides `box`, whose corners are finite unless it is empty, which makes no cells whatever the
-  /// size. A side that is thinner than 2^-10 of the longest one is widened to that; a box that is a
-  /// point gets a size of its own.
+  /// size; else at most kMaxGridCells. A side that is thinner than 2^-10 of the longest one is
+  /// widened to that; a box that is a point gets a size of its own.
   GridFrame(const BoundingBox& box, const GridSize& size);
 
   /// 0 along each axis where there are no cells.
   const GridSize& size() const { return size_; }
-  std::size_t cellCount() const {
-    return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
-  }
-  CellRange allCells() const { return {{}, {size_[0] - 1, size_[1] - 1, size_[2] - 1}}; }
+  std::size_t cellCount() const { return std::size_t(size_.x() * size_.y() * size_.z()); }
+  CellRange allCells() const { return {{}, size_ - GridSize(1, 1, 1)}; }
   std::size_t indexOf(const GridSize& cell) const {
-    return (std::size_t(cell[2]) * std::size_t(size_[1]) + std::size_t(cell[1])) *
-               std::size_t(size_[0]) +
-           std::size_t(cell[0]);
+    return std::size_t((cell.z() * size_.y() + cell.y()) * size_.x() + cell.x());
   }
 
+  /// How long a cell is along each axis.
+  const Vec3d& side() const { return side_; }
   /// Where plane `number` (0..size) stands on `axis`: the lower side of the cell of that number.
   double plane(int axis, int number) const { return low_[axis] + side_[axis] * number; }
-  BoundingBox boxOf(const GridSize& cell) const;
-  /// That of all cells.
-  BoundingBox box() const { return {boxOf({}).low(), boxOf(allCells().last).high()}; }
+  /// That of some cells in a block; of one cell; of all.
+  BoundingBox boxOf(const CellRange& cells) const {
+    return {low_ + side_ * cells.first, low_ + side_ * (cells.last + GridSize(1, 1, 1))};
+  }
+  BoundingBox boxOf(const GridSize& cell) const { return boxOf(CellRange{cell, cell}); }
+  BoundingBox box() const { return boxOf(allCells()); }
   /// The number of the cell that holds x, the nearest one where x lies outside; 0 for NaN.
   int cellAt(int axis, double x) const;
   /// The cells that `box` overlaps. One that it only touches from outside does not count, but there
   /// is at least one cell along each axis, the nearest where the box lies outside.
   CellRange overlappedBy(const BoundingBox& box) const;
-  /// The cells that `box` touches, and those at most `tolerance` of a cell beside it.
-  CellRange touchedBy(const BoundingBox& box, double tolerance) const;
 
  private:
   GridSize size_;
@@ -104,7 +101,10 @@ class CellWalk {
   }
 
  private:
-  double parameterAt(int axis, int plane) const;
+  /// The t at which the ray passes a plane; along it infinite, or not a number within the plane.
+  double parameterAt(int axis, int plane) const {
+    return (frame_->plane(axis, plane) - origin_[axis]) / direction_[axis];
+  }
   void findExit(int axis);
 
   const GridFrame* frame_;  // not owned

@@ -10,6 +10,9 @@
 
 /// How many objects, each face of a mesh being one, each cell of a grid holds.
 struct CellCounts {
+  /// No objects yet.
+  explicit CellCounts(const GridFrame& cells) : frame(cells), counts(cells.cellCount()) {}
+
   GridFrame frame;  ///< of no cells where the scene has no bounded object
   std::vector<std::uint32_t> counts;
 

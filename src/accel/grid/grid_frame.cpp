@@ -23,19 +23,13 @@ constexpr double kThinnest = 0x1p-10, kFinest = 0x1p-40;
 /// Of an empty box all planes stand at NaN, so that every walk is at its end.
 GridFrame::GridFrame(const BoundingBox& box, const GridSize& size)
     : size_(box.isEmpty() ? GridSize{} : size) {
-  const double largest = std::max(maxAbs(box.low()), maxAbs(box.high()));
-  const double least = std::max(box.longestSide() * kThinnest, largest * kFinest);
+  const double least = std::max(box.longestSide() * kThinnest, box.extent() * kFinest);
   for (int axis = 0; axis < 3; ++axis) {
     const double thickness = box.high()[axis] - box.low()[axis];
     const double missing = least > 0 ? std::max(least - thickness, 0.0) : 1;
     low_[axis] = box.low()[axis] - missing / 2;
     side_[axis] = (thickness + missing) / size[axis];
   }
-}
-
-BoundingBox GridFrame::boxOf(const GridSize& cell) const {
-  return {{plane(0, cell[0]), plane(1, cell[1]), plane(2, cell[2])},
-          {plane(0, cell[0] + 1), plane(1, cell[1] + 1), plane(2, cell[2] + 1)}};
 }
 
 int GridFrame::cellAt(int axis, double x) const {
@@ -53,43 +47,25 @@ CellRange GridFrame::overlappedBy(const BoundingBox& box) const {
   return range;
 }
 
-CellRange GridFrame::touchedBy(const BoundingBox& box, double tolerance) const {
-  CellRange range{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double slack = tolerance * side_[axis];
-    range.first[axis] = cellAt(axis, box.low()[axis] - slack);
-    range.last[axis] = cellAt(axis, box.high()[axis] + slack);
-  }
-  return range;
-}
-
 CellWalk::CellWalk(const GridFrame& frame, const Ray& ray, double tmin)
     : frame_(&frame), origin_(ray.getOrigin()), direction_(ray.getDirection()), enterT_(tmin) {
   double left = kInf;
   for (int axis = 0; axis < 3; ++axis) {
     const int end = frame.size()[axis];
-    const double o = origin_[axis], d = direction_[axis];
-    if (d == 0 && !(o >= frame.plane(axis, 0) && o <= frame.plane(axis, end))) return;
-    if (d == 0) continue;
-    const double near = parameterAt(axis, d > 0 ? 0 : end);
-    const double far = parameterAt(axis, d > 0 ? end : 0);
-    if (!(near <= far)) return;  // not a number
+    const bool falls = std::signbit(direction_[axis]);  // -0 too: both are infinite, in order
+    const double near = parameterAt(axis, falls ? end : 0);
+    const double far = parameterAt(axis, falls ? 0 : end);
     if (near > enterT_) enterAxis_ = axis;
-    enterT_ = std::max(enterT_, near);
+    enterT_ = std::max(enterT_, near);  // 0 / 0, in the plane of a side, changes nothing
     left = std::min(left, far);
   }
-  if (!(enterT_ <= left && std::isfinite(enterT_))) return;
+  if (!(left >= enterT_ && std::isfinite(left - enterT_))) return;
   atEnd_ = false;
   for (int axis = 0; axis < 3; ++axis) {
     cell_[axis] = frame.cellAt(axis, origin_[axis] + direction_[axis] * enterT_);
     if (axis == enterAxis_) cell_[axis] = direction_[axis] > 0 ? 0 : frame.size()[axis] - 1;
     findExit(axis);
   }
-}
-
-/// The t at which the ray passes a plane; the direction has a part along `axis`.
-double CellWalk::parameterAt(int axis, int plane) const {
-  return (frame_->plane(axis, plane) - origin_[axis]) / direction_[axis];
 }
 
 /// Finds where the ray leaves the cell across `axis`, and chooses where it does so first.
