@@ -14,7 +14,9 @@
 // few operations that the compiler's own vectors have no good words for, once for each instruction
 // set, then the classes, which are the same for all.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -167,9 +169,7 @@ class Doubles {
   }
   /// column[rows[0]], column[rows[1]] ...
   static Doubles gather(const double* column, const std::uint16_t* rows) {
-    Doubles a;
-    for (int lane = 0; lane < kDoubles; ++lane) a.v_[lane] = column[rows[lane]];
-    return a;
+    return gathered(column, rows, std::make_index_sequence<kDoubles>());
   }
   void store(double* to) const { __builtin_memcpy(to, &v_, sizeof v_); }
 
@@ -196,6 +196,14 @@ class Doubles {
   friend Doubles larger(const Doubles& a, const Doubles& b) { return mostOf(a.v_, b.v_); }
 
  private:
+  /// All lanes at once: in a loop each waited for the one before it (0.95 of the time of tracing,
+  /// with AVX-512).
+  template <std::size_t... kLanes>
+  static Doubles gathered(const double* column, const std::uint16_t* rows,
+                          std::index_sequence<kLanes...>) {
+    return Vector{column[rows[kLanes]]...};
+  }
+
   Vector v_;
 };
 

@@ -79,9 +79,11 @@ void visitInOrder(const PixelRectangle& area, const Visit& visit) {
   const auto blockStart = [](int at) { return at - (at % kBlock + kBlock) % kBlock; };
   for (int j = blockStart(area.bottom); j < area.top; j += kBlock) {
     for (int i = blockStart(area.left); i < area.right; i += kBlock) {
+      const PixelRectangle block = {i, j, i + kBlock, j + kBlock};
+      const bool isWhole = block.within(area).pixelCount() == block.pixelCount();
       for (int number = 0; number < kBlock * kBlock; ++number) {
         const Pixel at = {i + evenBits(number), j + evenBits(number >> 1)};
-        if (area.contains(at)) visit(at);
+        if (isWhole || area.contains(at)) visit(at);
       }
     }
   }

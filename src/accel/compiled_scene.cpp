@@ -32,13 +32,12 @@ using accel::RayRange;
 using accel::TreeMember;
 
 bool areAllHeld(const RayTable& rays) {
-  bool areHeld = true;
   for (const double* column : rays.origin) {
     for (int row = 0; row < rays.count; ++row) {
-      areHeld &= std::fabs(column[row]) <= RayRange::kFarthest;
+      if (!(std::fabs(column[row]) <= RayRange::kFarthest)) return false;
     }
   }
-  return areHeld;
+  return true;
 }
 
 /// The rows of the rays that start near enough, or of the others.

@@ -57,18 +57,16 @@ inline void reflect(const PhongNumbers& material, const WaveLight& light, const 
   const DoubleVector diffuse = all(material.diffuse), specular = all(material.specular);
   for (int first = 0; first < list.count; first += kDoubles) {
     const SomeRows some(list, first);
-    std::uint16_t places[kDoubles];
-    for (int lane = 0; lane < kDoubles; ++lane) places[lane] = light.surface[some.rows[lane]];
-    const DoubleVector v = gather(surfaces.view, places), n = gather(surfaces.lit, places);
-    const DoubleVector l = roundedToFloat(gather(light.direction, some.rows));
+    std::uint16_t rows[kDoubles];
+    for (int lane = 0; lane < kDoubles; ++lane) rows[lane] = light.surface[some.rows[lane]];
+    const SomeRows surface({rows, some.count}, 0);
+    const DoubleVector v = surface.gather(surfaces.view), n = surface.gather(surfaces.lit);
+    const DoubleVector l = roundedToFloat(some.gather(light.direction));
     const Doubles c = material.isBlinn ? phong_light::halfwayCosine(v, n, l)
                                        : phong_light::mirroredCosine(v, n, l);
-    const DoubleVector sent =
-        phong_light::reflectedLight(n, l, c, gather(light.color, some.rows), diffuse, specular,
-                                    Doubles(material.exponent), material.highlight);
-    for (int lane = 0; lane < some.count; ++lane) {
-      for (int axis = 0; axis < 3; ++axis) surfaces.sum[axis][places[lane]] += sent[axis][lane];
-    }
+    surface.add(phong_light::reflectedLight(n, l, c, some.gather(light.color), diffuse, specular,
+                                            Doubles(material.exponent), material.highlight),
+                surfaces.sum);
   }
 }
 
@@ -77,8 +75,8 @@ inline void mirror(const LeavingRays& leaving) {
   for (int first = 0; first < leaving.list.count; first += kDoubles) {
     const SomeRows some(leaving.list, first);
     const int row = leaving.first + first;
-    store(gather(surfaces.point, some.rows), leaving.rays.origin, row);
-    store(mirrorDirection(gather(surfaces.normal, some.rows), gather(surfaces.view, some.rows)),
+    store(some.gather(surfaces.point), leaving.rays.origin, row);
+    store(mirrorDirection(some.gather(surfaces.normal), some.gather(surfaces.view)),
           leaving.rays.direction, row);
   }
 }
@@ -89,8 +87,8 @@ inline int refract(const RefractionNumbers& material, const LeavingRays& leaving
   int kept = 0;
   for (int first = 0; first < leaving.list.count; first += kDoubles) {
     const SomeRows some(leaving.list, first);
-    const DoubleVector incoming = gather(surfaces.view, some.rows);
-    const DoubleVector outwards = gather(surfaces.normal, some.rows);
+    const DoubleVector incoming = some.gather(surfaces.view);
+    const DoubleVector outwards = some.gather(surfaces.normal);
     const Mask isEntering = dot(outwards, incoming) < 0;
     Doubles before = choose(isEntering, Doubles(1), Doubles(material.index));
     Doubles behind = choose(isEntering, Doubles(material.index), Doubles(1));
@@ -107,7 +105,7 @@ inline int refract(const RefractionNumbers& material, const LeavingRays& leaving
       isSent = isSent | isStraight;
     }
     unsigned bits = isSent.bits() & lanesOf(leaving.list.count - first);
-    compressRow(gather(surfaces.point, some.rows), bits, leaving.rays.origin, leaving.first + kept);
+    compressRow(some.gather(surfaces.point), bits, leaving.rays.origin, leaving.first + kept);
     compressRow(direction, bits, leaving.rays.direction, leaving.first + kept);
     for (; bits != 0; bits &= bits - 1) {
       places[kept++] = std::uint16_t(first + __builtin_ctz(bits));
