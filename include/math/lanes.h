@@ -174,7 +174,6 @@ class Doubles {
   void store(double* to) const { __builtin_memcpy(to, &v_, sizeof v_); }
 
   double operator[](int lane) const { return v_[lane]; }
-  void set(int lane, double x) { v_[lane] = x; }
   const Vector& vector() const { return v_; }
 
   friend Doubles operator+(const Doubles& a, const Doubles& b) { return a.v_ + b.v_; }
