@@ -94,7 +94,7 @@ class ShadowFilters final : public CrossingVisitor {
       const double t = std::min(c->t, distance_);
       inside += c->leaving ? t : -t;
     }
-    return {color, std::fabs(inside)};
+    return {color, lengthOf(std::fabs(inside))};
   }
 
   /// The crossings of one textured object: a filter for each stretch of the way inside it, or for
@@ -123,8 +123,15 @@ class ShadowFilters final : public CrossingVisitor {
   void addStretch(const Crossing* near, const Crossing& far) {
     const double start = near ? std::min(near->t, distance_) : 0;
     const Vec3f color = colorAt(far.t < distance_ || !near ? far : *near);
-    if (anyPositive(color)) filters_.push_back({color, std::min(far.t, distance_) - start});
+    if (anyPositive(color)) {
+      filters_.push_back({color, lengthOf(std::min(far.t, distance_) - start)});
+    }
   }
+
+  /// Rounding puts the surface that the ray leaves before or behind its origin, so that a way of
+  /// next to nothing may seem to be inside; a colour of 0 would take all of the light on it. As
+  /// short as the ray is blind, it counts as none.
+  double lengthOf(double inside) const { return inside > epsilon_ ? inside : 0; }
 
   Vec3f colorAt(const Crossing& crossing) {
     return transparencyAt(*crossing.material, ray_.pointAtParameter(crossing.t), mixture_);

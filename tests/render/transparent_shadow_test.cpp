@@ -215,6 +215,29 @@ TEST("the glass's own surface is lit without any stretch on its outside") {
   }
 }
 
+TEST("glass that lets nothing of a colour through is lit in that colour on its outside") {
+  // Rounding puts the surface that a shadow ray leaves before or behind its start: no power of a
+  // length of 1e-17 may darken it, with one material or a texture of two.
+  for (const char* index : {"0", "1"}) {
+    const SceneParser scene = parse(
+        "Lights { numLights 1 DirectionalLight { direction 0 -1 0 color 1 1 1 } }"
+        "Background { color 0 0 0 ambientLight 0 0 0 }"
+        "Materials { numMaterials 2 PhongMaterial { transparentColor 1 0 0 }"
+        "  Checkerboard { materialIndex 0 materialIndex 0 } }"
+        "Group { numObjects 1 MaterialIndex " +
+        std::string(index) + "  Sphere { center 0.1 0.2 0.3 radius 1.1 } }");
+    RenderOptions options = scene_text::bouncing(0);
+    options.transparentShadows = true;
+    for (int k = 0; k < 200; ++k) {
+      options.epsilon = k % 2 == 0 ? kCourse : kAdaptive;
+      const Vec3d normal = normalize(Vec3d(std::cos(k), 0.1 + k % 7, std::sin(k)));
+      const Vec3d middle(0.1, 0.2, 0.3);
+      const Vec3f found = scene_text::colorTowards(scene, middle + normal * 4, middle, options);
+      CHECK_NEAR_VECTOR(found, Vec3d(1, 1, 1) * normal.y(), 1e-6);
+    }
+  }
+}
+
 TEST("the glass's own inside is lit through the stretch above it") {
   SceneParser scene = parse(underGlass(1, kBall));
   RenderOptions options = scene_text::bouncing(0);
