@@ -333,10 +333,12 @@ These take the place of exponent and attenuation, or are added to those of
   PerspectiveCamera (thu)         width I height I    of the picture
 
 Textures and sides of a cube map are looked for beside the scene, then in the
-current folder. Between the middles of their pixels colours are mixed.
+current folder. The colour at (u W, (1 - v) H) is mixed of the pixels at the
+whole numbers around, as if their middles were there.
 
 A scene of 2020 is made of nodes. The Transform of a node comes first; that and
-the material hold for all in it. A point light stands at its node's origin.
+the material hold for all in it; of several materials the others hold for what
+follows them. A point light stands at its node's origin.
 
   scene  = Background { color V ambient_light V [cube_map FOLDER] }
            Camera { center V direction V up V fov F }
@@ -486,7 +488,9 @@ units: a thicker object of the same material casts a darker shadow. Shadow rays
 run straight. An opaque object still blocks. Entering and leaving is counted for
 each closed object on its own (spheres, and meshes in which, after merging equal
 positions, every edge belongs to exactly two faces in opposite directions); any
-other transparent surface multiplies once by its colour where it is crossed.
+other transparent surface multiplies once by its colour where it is crossed. A
+length up to epsilon counts as 0; where closed parts of one mesh overlap, each
+counts.
 Without the option glass casts a black shadow. -shadows and -no_shadows undo
 each other: the last one counts.
 

@@ -47,6 +47,11 @@ void MaterialReader::readIndex(std::string_view name) {
   isMissed_ |= !material;
 }
 
+void MaterialReader::selectListed(int index) {
+  const bool isListed = index >= 0 && std::size_t(index) < notes_.listedMaterials;
+  isListed ? select(materials_[std::size_t(index)].get()) : void(isMissed_ = true);
+}
+
 /// The listed material that `index`, which stands at `at`, means. Null where it means none; that is
 /// reported, unless a material may have been lost.
 const Material* MaterialReader::listedMaterial(int index, const char* at, const std::string& name,
@@ -68,9 +73,10 @@ const Material* MaterialReader::materialFor(std::string_view owner, const char* 
     return selected_;
   }
   if (!isMissed_) {
-    in_.report(at, std::string("expected a ") +
-                       (in_.hasNodes() ? "Component<Material>" : "MaterialIndex") +
-                       " before the first object, found " + quoted(owner));
+    const std::string wanted = in_.hasNodes()
+                                   ? "a Component<Material> in this Node or one around it"
+                                   : "a MaterialIndex before the first object";
+    in_.report(at, "expected " + wanted + ", found " + quoted(owner));
   }
   isMissed_ = true;
   return nullptr;

@@ -1,11 +1,19 @@
 // The scene language of 2020: nodes in place of Groups and Transforms.
 //
-// A Node holds, in any order but for its Transform, which comes first: a material for all objects
-// that follow in it, objects, lights, and other nodes. It becomes a Group, within a Transform where
-// it has one. A point light stands at the origin of its node; directions of lights are turned as
-// the node is.
+// A Node holds, in any order but for its Transform, which comes first: a material, objects, lights,
+// and other nodes. It becomes a Group, within a Transform where it has one. The material holds for
+// all in the node, before it too: so the first one of each node is looked up in advance, in one
+// pass over all words; of several, another one holds for what follows it. A point light stands at
+// the origin of its node; directions of lights are turned as the node is.
 #include "geometry/transform.h"
+#include "scene/number_reader.h"
 #include "scene/scene_reader.h"
+
+NodeReader::NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects,
+                       AddLight addLight)
+    : in_(in), materials_(materials), objects_(objects), addLight_(std::move(addLight)) {
+  if (in_.hasNodes()) findMaterials();
+}
 
 /// What the node changes for those in it, its Transform and material, is undone behind it.
 const Object3D* NodeReader::read() {
@@ -22,6 +30,8 @@ const Object3D* NodeReader::read() {
   const Matrix outer = toWorld_;
   auto group = std::make_unique<Group>();
   Contents contents{*group, std::nullopt};
+  const auto ahead = materialsAhead_.find(in_.at());
+  if (ahead != materialsAhead_.end()) materials_.selectListed(ahead->second);
   in_.advance();
   if (in_.openBlock(owner)) {
     while (!in_.atEnd() && !in_.isAt('}') && !isOneOf(in_.word(), kNodeSectionWords)) {
@@ -38,6 +48,20 @@ const Object3D* NodeReader::read() {
   if (objects_.places()) objects_.places()->end(object);
   --depth_;
   return object;
+}
+
+/// Notes the first material of each node. What is wrong with any is told when it is read.
+void NodeReader::findMaterials() {
+  Tokenizer words(in_.text().bytes());
+  std::vector<std::string_view> blocks;  // the names of those that are open
+  std::string_view before;
+  for (std::string_view word = words.next(); !word.empty(); before = word, word = words.next()) {
+    if (word == "{") blocks.push_back(before);
+    if (word == "}" && !blocks.empty()) blocks.pop_back();
+    if (before != "index" || blocks.size() < 2 || blocks.back() != "Component<Material>") continue;
+    int index = 0;
+    if (readInt(word, index)) materialsAhead_.try_emplace(blocks[blocks.size() - 2].data(), index);
+  }
 }
 
 /// One thing in a node; each ends behind its own braces.

@@ -103,6 +103,8 @@ class MaterialReader {
   /// The material that holds now, not owned; null where there is none yet.
   const Material* selected() const { return selected_; }
   void select(const Material* material) { selected_ = material; }
+  /// The listed material of that index, from there on; that there is none is told by readIndex.
+  void selectListed(int index);
   /// The material that holds for the object at `at`, not owned; null where there is none, which is
   /// said once.
   const Material* materialFor(std::string_view owner, const char* at);
@@ -209,8 +211,7 @@ class NodeReader {
   using AddLight = std::function<void(const char* at, const Fields& fields, const Matrix* toWorld)>;
 
   /// All must outlive the reader.
-  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, AddLight addLight)
-      : in_(in), materials_(materials), objects_(objects), addLight_(std::move(addLight)) {}
+  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, AddLight addLight);
 
   /// The Scene or Node whose name is the current word; null where it is nested too deep. The scene
   /// owns the result.
@@ -224,6 +225,7 @@ class NodeReader {
     bool isEmpty = true;
   };
 
+  void findMaterials();
   void readItem(Contents& contents);
   void readTransform(Contents& contents);
   void readMaterial();
@@ -235,7 +237,8 @@ class NodeReader {
   MaterialReader& materials_;
   ObjectReader& objects_;
   const AddLight addLight_;
-  Matrix toWorld_;  // of the node that is being read
+  std::map<const char*, int> materialsAhead_;  // the first index in each node, by its name's place
+  Matrix toWorld_;                             // of the node that is being read
   int depth_ = 0;
 };
 

@@ -232,6 +232,30 @@ TEST("nodes of 2020: a Transform and a material hold for all in them, and a ligh
   CHECK_NEAR(hit.getT(), 6, 1e-12);
 }
 
+TEST("a node's material holds for all in it, before it too") {
+  const auto sphereAt = [](int x) {
+    return " Node { Transform { translate " + std::to_string(x) +
+           " 0 0 } Component<Object> { type sphere radius 1 } } ";
+  };
+  const auto index = [](int k) {
+    return " Component<Material> { index " + std::to_string(k) + " } ";
+  };
+  // Each sphere is of the material whose number is its x, but for that at 10.
+  const SceneParser scene = parseWhole(
+      "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 30 }\n"
+      "Materials { Material { } Material { } Material { } Material { } Material { } }\n"
+      "Scene { " +
+          sphereAt(0) + index(0) + " Node { Node {" + sphereAt(1) + "} " + index(1) + "}" +
+          " Node {" + sphereAt(2) + index(2) + sphereAt(10) + index(3) + sphereAt(3) + "}" +
+          " Node { Node {" + sphereAt(4) + index(4) + "} } }",
+      rulesOf(Language::of2020));
+  for (const int x : {0, 1, 2, 3, 4, 10}) {
+    Hit hit;
+    CHECK(scene.getGroup()->intersect(Ray({double(x), 0.9, 5}, {0, 0, -1}), hit, 0));
+    CHECK_EQUAL(hit.getMaterial()->getNumber(), x == 10 ? 2 : x);
+  }
+}
+
 TEST("after a mistake among the materials of nodes an index out of range is no news") {
   const std::string path = scenes::write(
       "scene.txt",
@@ -249,9 +273,12 @@ TEST("mistakes in nodes have their line") {
       "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 30 }\n"
       "Materials { Material { } }\n";
   const auto mistake = [&](const std::string& scene) { return mistakeOf(start + scene, rules); };
-  CHECK_EQUAL(
-      mistake("Scene { Node { Component<Object> { type sphere radius 1 } } }"),
-      "3: expected a Component<Material> before the first object, found 'Component<Object>'");
+  CHECK_EQUAL(mistake("Scene { Node { Component<Object> { type sphere radius 1 } } }"),
+              "3: expected a Component<Material> in this Node or one around it, found "
+              "'Component<Object>'");
+  CHECK_EQUAL(mistake("Scene { Component<Object> { type sphere radius 1 }\n"
+                      "  Component<Material> { index 1 } }"),
+              "4: index out of range: expected one of 1 material, counted from 0, found '1'");
   CHECK_EQUAL(mistake("Scene { Component<Material> { index 1 } }"),
               "3: index out of range: expected one of 1 material, counted from 0, found '1'");
   CHECK_EQUAL(mistake("Scene { Component<Material> { index 0 } Component<Object> { type cube } }"),
