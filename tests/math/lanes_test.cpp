@@ -176,18 +176,14 @@ TEST("lanes whose bits are set are packed together, for every set of bits") {
   }
 }
 
-TEST("rows are gathered, a lane is set") {
+TEST("rows are gathered") {
   double column[300];
   for (int k = 0; k < 300; ++k) column[k] = k + 0.25;
   const std::uint16_t rows[] = {299, 0, 5, 5, 256, 17, 1, 255};
   for (const Set& set : sets()) {
     double gathered[wide::kRows];
     set.lanes.gather(column, rows, gathered);
-    for (int k = 0; k < wide::kRows; ++k) {
-      // The first lane of each vector has got the last one's number.
-      const int from = k % set.width == 0 ? k + set.width - 1 : k;
-      CHECK_EQUAL(gathered[k], column[rows[from]]);
-    }
+    for (int k = 0; k < wide::kRows; ++k) CHECK_EQUAL(gathered[k], column[rows[k]]);
   }
 }
 

@@ -208,9 +208,7 @@ struct OfLanes {
   }
   static void gather(const double* column, const std::uint16_t* rows, double* out) {
     for (int row = 0; row < kRows; row += kWidth) {
-      Number gathered = Number::gather(column, rows + row);
-      gathered.set(0, gathered[kWidth - 1]);
-      gathered.store(out + row);
+      Number::gather(column, rows + row).store(out + row);
     }
   }
 };
