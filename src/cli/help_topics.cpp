@@ -760,9 +760,9 @@ the same image:
   raytracer -input scenes/31_grid_cells.txt -output b.tga -grid 40 40 40
   cmp a.tga b.tga
 
-Where the lists of all cells together would have more than 2^26 entries, and than
-two for each face, the grid used has half as many cells along each axis, or a
-quarter ...; -stats says how many:
+Where the lists of all cells together would have more than 2^26 entries, and
+more than two for each face, the grid used has half as many cells along each
+axis, or a quarter ...; -stats says how many:
   raytracer -input scenes/31_grid_cells.txt -stats -grid 20 20 20
 
 PICTURES OF THE CELLS
