@@ -128,7 +128,7 @@ void checkFiles(const RenderRequest& render, const std::string& checkpoint,
              ": expected standard output for its lines, found an image there");
     for (const auto& [other, otherFile] : outputs) {
       if (other == argument) break;
-      checkDifferent(other + " and " + argument, otherFile, file);
+      checkDifferent(std::string(other).append(" and ").append(argument), otherFile, file);
     }
     for (const std::string& input : inputFiles) {
       refuseIf(isSameOutput(input, file), argument,

@@ -45,10 +45,14 @@ class GridFrame {
 
   /// 0 along each axis where there are no cells.
   const GridSize& size() const { return size_; }
-  std::size_t cellCount() const { return std::size_t(size_.x() * size_.y() * size_.z()); }
+  std::size_t cellCount() const {
+    return std::size_t(size_.x()) * std::size_t(size_.y()) * std::size_t(size_.z());
+  }
   CellRange allCells() const { return {{}, size_ - GridSize(1, 1, 1)}; }
   std::size_t indexOf(const GridSize& cell) const {
-    return std::size_t((cell.z() * size_.y() + cell.y()) * size_.x() + cell.x());
+    return (std::size_t(cell.z()) * std::size_t(size_.y()) + std::size_t(cell.y())) *
+               std::size_t(size_.x()) +
+           std::size_t(cell.x());
   }
 
   /// How long a cell is along each axis.
