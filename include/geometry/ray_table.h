@@ -90,10 +90,9 @@ struct HitTable {
   const Material** material;  ///< null where nothing was found; not owned
   const Object3D** object;    ///< the primitive; not owned
   std::uint32_t* face;        ///< which triangle of a mesh; 0 for all else
-  std::uint32_t*
-      order;  ///< the primitive's number in the order of the scene, or NearestSoFar::kNothing
-  double* magnitude;  ///< as magnitudeOf gives it
-  double* normal[3];  ///< unit
+  std::uint32_t* order;       ///< the primitive's in the scene, or NearestSoFar::kNothing
+  double* magnitude;          ///< as magnitudeOf gives it
+  double* normal[3];          ///< unit
   double* point[3];
   Vec2d* textureCoordinates;           ///< anything, unless hasTextureCoordinates
   bool hasTextureCoordinates = false;  ///< any row has been given one other than (0, 0)
