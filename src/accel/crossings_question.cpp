@@ -49,7 +49,7 @@ class CrossingsQuestion::CrossingsWalk : public Walk {
   /// 0.92 of the instructions of a picture of wine glasses.
   void tellProven() {
     proven_->fillUp();
-    kernels_.crossTriangles(*proven_, *stream_.rays, crossings_);
+    kernels_.crossTriangles(*proven_, *stream_.rays, stream_.inverse, crossings_);
     for (int k = 0; k < proven_->count; ++k) {
       if (crossings_[k].t > 0) visitor_.visit(proven_->rows[k], crossings_[k]);
     }
@@ -75,7 +75,7 @@ class CrossingsQuestion::CrossingsWalk : public Walk {
     double numbers[9];
     tree_.getNumbers(words, c.lane, numbers, 1);
     if (triangle::crosses(Vec3d::of(numbers), Vec3d::of(numbers + 3), Vec3d::of(numbers + 6),
-                          stream_.rays->rayOf(row), crossing.t, crossing.leaving) &&
+                          rayOf(c), crossing.t, crossing.leaving) &&
         crossing.t > 0) {
       visitor_.visit(row, crossing);
     }
@@ -129,7 +129,7 @@ void CrossingsQuestion::askInside(const TreeMember& member, const RowList& rows)
   const RayTable inside = movedInto(member.transform(), rows);
   CrossingsInside found(rows, visitor_);
   CrossingsQuestion within(kernels_, inside, found, arena_);
-  askWithin(member, within);
+  member.objectTree->ask(within, RowList::all(rows.count, arena_));
 }
 
 }  // namespace accel

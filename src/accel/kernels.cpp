@@ -31,6 +31,18 @@ inline Doubles inverseOf(const Doubles& component, const Doubles& least) {
 }
 inline Doubles mostOf(const DoubleVector& a) { return larger(larger(a.x(), a.y()), a.z()); }
 
+/// Transform::toObject of some rays by its `inverse`; where that is null, the rays as they are.
+struct RaysWithin {
+  DoubleVector origin, direction;
+
+  RaysWithin(const Matrix* inverse, const DoubleVector& o, const DoubleVector& d)
+      : origin(o), direction(d) {
+    if (!inverse) return;
+    origin = inverse->transformPoint(o);
+    direction = inverse->transformDirection(d);
+  }
+};
+
 #include "accel/leaf_filters.inc"
 #include "accel/prepare_stream.inc"
 #include "accel/shape_kernels.inc"

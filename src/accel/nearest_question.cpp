@@ -82,11 +82,17 @@ class NearestQuestion::NearestWalk : public Walk {
     computeHits(kernels, triangles, spheres);
   }
   void computeHits(const Kernels& kernels, LeafHits& triangles, LeafHits& spheres) {
-    triangles.fillUp();
-    kernels.hitsOfTriangles(triangles, *stream_.rays, hits_);
-    tree_.shade({triangles.rows, triangles.count}, hits_);
-    spheres.fillUp();
-    kernels.hitsOfSpheres(spheres, *stream_.rays, hits_);
+    if (triangles.count > 0) {
+      const RowList hit = {triangles.rows, triangles.count};
+      triangles.fillUp();
+      kernels.hitsOfTriangles(triangles, *stream_.rays, stream_.inverse, hits_);
+      tree_.shade(hit, hits_);
+      if (stream_.inverse) kernels.moveHits(*stream_.inverse, *stream_.rays, hit, hits_);
+    }
+    if (spheres.count > 0) {
+      spheres.fillUp();
+      kernels.hitsOfSpheres(spheres, *stream_.rays, hits_);
+    }
     triangles.count = spheres.count = 0;
   }
 
@@ -123,9 +129,8 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
   HitTable found(arena_, rows.count);
   for (int k = 0; k < rows.count; ++k) found.order[k] = hits_.order[rows.rows[k]];
   NearestQuestion within(kernels_, inside, found, arena_);
-  askWithin(member, within);
-  auto* rowsInside = arena_.take<std::uint16_t>(std::size_t(rows.count));
-  auto* rowsOutside = arena_.take<std::uint16_t>(std::size_t(rows.count));
+  member.objectTree->ask(within, RowList::all(rows.count, arena_));
+  auto* hit = arena_.take<std::uint16_t>(std::size_t(rows.count));
   const bool areCoordinatesGiven = found.hasTextureCoordinates || hits_.hasTextureCoordinates;
   int count = 0;
   for (int k = 0; k < rows.count; ++k) {
@@ -137,11 +142,11 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
     hits_.face[row] = found.face[k];
     if (areCoordinatesGiven) hits_.setTextureCoordinates(row, found.textureCoordinatesOf(k));
     hits_.order[row] = found.order[k];
-    rowsInside[count] = std::uint16_t(k);
-    rowsOutside[count++] = std::uint16_t(row);
+    hits_.magnitude[row] = found.magnitude[k];
+    setRowOf(hits_.normal, row, rowOf(found.normal, k));
+    hit[count++] = std::uint16_t(row);
   }
-  kernels_.moveHits(member.transform().getInverse(), rays_, {rowsOutside, count}, rowsInside, found,
-                    hits_);
+  kernels_.moveHits(member.transform().getInverse(), rays_, {hit, count}, hits_);
 }
 
 }  // namespace accel

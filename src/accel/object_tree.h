@@ -22,12 +22,15 @@ namespace accel {
 
 class ObjectTree;
 
-/// A mesh in the scene, and the tree over its triangles. Nothing is owned.
+/// A mesh in the scene, perhaps under a Transform, and the tree over its triangles. Nothing is
+/// owned.
 class AskedMesh : public AskedTree {
  public:
-  AskedMesh(const TriangleMesh& mesh, const MeshTree& tree, std::uint32_t order)
-      : mesh_(mesh), tree_(tree), order_(order) {}
+  AskedMesh(const TriangleMesh& mesh, const Transform* transform, const MeshTree& tree,
+            std::uint32_t order)
+      : mesh_(mesh), transform_(transform), tree_(tree), order_(order) {}
   const WideBvh& bvh() const override { return tree_.bvh(); }
+  const Transform* transform() const override { return transform_; }
   bool isOneObject() const override { return true; }
   LeafPrimitive primitiveAt(const std::uint32_t* words, int lane) const override;
   void getNumbers(const std::uint32_t* words, int lane, double* numbers,
@@ -40,6 +43,7 @@ class AskedMesh : public AskedTree {
 
  private:
   const TriangleMesh& mesh_;
+  const Transform* const transform_;
   const MeshTree& tree_;
   const std::uint32_t order_;  // number in the order of the scene
 };
@@ -65,11 +69,11 @@ struct TreeMember {
 
   /// The object, where it is a Transform; and the mesh, where a tree is asked for one.
   const Transform& transform() const { return static_cast<const Transform&>(*object); }
-  const TriangleMesh& mesh() const {
-    return static_cast<const TriangleMesh&>(kind == Kind::transformedMesh ? *transform().getObject()
-                                                                          : *object);
+  AskedMesh askedMesh() const {
+    const Transform* const above = kind == Kind::transformedMesh ? &transform() : nullptr;
+    const Object3D& mesh = above ? *above->getObject() : *object;
+    return {static_cast<const TriangleMesh&>(mesh), above, *meshTree, order};
   }
-  AskedMesh askedMesh() const { return {mesh(), *meshTree, order}; }
 };
 
 /// A member and its box, which is empty where it has none.

@@ -11,7 +11,9 @@ namespace accel {
 void Question::askTree(const AskedTree& tree, const RowList& rows) {
   if (tree.bvh().isEmpty() || rows.count == 0) return;
   const Arena::Frame frame(arena_);
-  Stream stream(tree.bvh(), raysFor(tree), rows, arena_);
+  const Transform* const transform = tree.transform();
+  Stream stream(tree.bvh(), transform ? &transform->getInverse() : nullptr, raysFor(tree), rows,
+                arena_);
   kernels_.prepare(stream);
   if (stream.count == 0) return;
   walk(tree, stream);
@@ -33,21 +35,12 @@ void Question::askMember(const TreeMember& member, const RowList& rows) {
     case TreeMember::Kind::shape:
       return askShapes(member.shape, 1, rows);
     case TreeMember::Kind::mesh:
-      return askTree(member.askedMesh(), rows);
     case TreeMember::Kind::transformedMesh:
+      return askTree(member.askedMesh(), rows);
     case TreeMember::Kind::transformedTree:
       return askInside(member, rows);
     case TreeMember::Kind::tree:
       return member.objectTree->ask(*this, rows);
-  }
-}
-
-void Question::askWithin(const TreeMember& member, Question& inside) {
-  const RowList all = RowList::all(inside.rays_.count, inside.arena_);
-  if (member.kind == TreeMember::Kind::transformedMesh) {
-    inside.askTree(member.askedMesh(), all);
-  } else {
-    member.objectTree->ask(inside, all);
   }
 }
 
@@ -111,7 +104,7 @@ void OccludedQuestion::askInside(const TreeMember& member, const RowList& rows) 
   bool* found = arena_.take<bool>(std::size_t(rows.count));
   std::fill(found, found + rows.count, false);
   OccludedQuestion within(kernels_, inside, found, arena_);
-  askWithin(member, within);
+  member.objectTree->ask(within, RowList::all(rows.count, arena_));
   for (int k = 0; k < rows.count; ++k) {
     if (found[k]) blocked_[rows.rows[k]] = true;
   }

@@ -6,12 +6,13 @@
 //
 //   askObject   an object of a class that is not known here: by its own function, ray by ray
 //   askShapes   planes and spheres, perhaps under a Transform each: several rays at a time
-//   askTree     the primitives of a tree: the rays walk it as a stream (stream.h). Where floats
-//               prove that a triangle or sphere is missed, nothing more happens; each other one
-//               becomes a Candidate, which the primitive's own double function decides
-//   askInside   what is inside of a Transform: the rays become a table of their own there, by one
-//               multiplication each, and what is found comes back out. t means the same on both
-//               sides
+//   askTree     the primitives of a tree, perhaps under a Transform: the rays walk it as a stream
+//               (stream.h). Where floats prove that a triangle or sphere is missed, nothing more
+//               happens; each other one becomes a Candidate, which the primitive's own double
+//               function decides
+//   askInside   a tree of objects under a Transform: the rays become a table of their own there,
+//               by one multiplication each, and what is found comes back out. t means the same on
+//               both sides
 //
 // Of equal t the first in the scene wins, whatever the order in which things are asked
 // (NearestSoFar::accepts).
@@ -29,6 +30,8 @@ class AskedTree {
  public:
   virtual ~AskedTree() = default;
   virtual const WideBvh& bvh() const = 0;
+  /// That it stands under, where the rays are not moved into its space before; else null.
+  virtual const Transform* transform() const { return nullptr; }
   /// True where all that its leaves hold is one object of the scene.
   virtual bool isOneObject() const { return false; }
   /// The triangle or sphere in lane `lane` of the leaf at `words`.
@@ -89,8 +92,6 @@ class Question {
 
   /// The listed rays as they are inside of a Transform, one row for each.
   RayTable movedInto(const Transform& transform, const RowList& rows) const;
-  /// Asks what is inside of the member, a Transform, for all rays of a table there.
-  static void askWithin(const TreeMember& member, Question& inside);
 
   const Kernels& kernels_;
   const RayTable& rays_;

@@ -47,11 +47,15 @@ class Question::Walk {
   LeafPrimitive primitiveOf(const Candidate& c) const {
     return tree_.primitiveAt(stream_.words + c.leaf, c.lane);
   }
+  /// The candidate's ray, in the space of the tree.
+  Ray rayOf(const Candidate& c) const {
+    const Ray ray = stream_.rays->rayOf(stream_.rowOf(c.ray));
+    return tree_.transform() ? tree_.transform()->toObject(ray) : ray;
+  }
   /// True where the ray hits the primitive, the first time above tmin at t.
   bool isHit(const Candidate& c, LeafPrimitive& p, double& t) const {
-    const int row = stream_.rowOf(c.ray);
-    const Ray ray = stream_.rays->rayOf(row);
-    const double tmin = stream_.rays->tmin[row];
+    const Ray ray = rayOf(c);
+    const double tmin = stream_.rays->tmin[stream_.rowOf(c.ray)];
     const bool isLeft = ray.leaves(p.object, p.face);
     if (isLeft && !p.isSphere && !tree_.takesPlace(p)) return false;
     double numbers[9];

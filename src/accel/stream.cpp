@@ -14,12 +14,14 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 float ParameterMap::below(double t) const { return float(boundBelow(t, scale, shift)); }
 float ParameterMap::above(double t) const { return float(boundAbove(t, scale, shift)); }
 
-Stream::Stream(const WideBvh& tree, const RayTable& table, const RowList& rows, Arena& arena)
+Stream::Stream(const WideBvh& tree, const Matrix* moves, const RayTable& table, const RowList& rows,
+               Arena& arena)
     : bvh(&tree),
       nodes(tree.root()),
       words(tree.words()),
       rays(&table),
       list(rows),
+      inverse(moves),
       count(0),
       outsideEnd(0),
       candidateCount(0),
