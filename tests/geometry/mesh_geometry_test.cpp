@@ -131,7 +131,7 @@ TEST("the bounds of a large mesh under any map are those of all its corners, to 
     const Vec3d origin = i % 2 == 0 ? MeshGeometry::kZero : Vec3d(4096, -512, 0);
     const MeshGeometry geometry(vertices, faces, origin);
     BoundingBox box, expected;
-    for (int instance = 0; instance < 5; ++instance) {
+    for (int instance = 0; instance < 12; ++instance) {
       const Matrix move = Matrix::translation(random.inCube(-3, 3)), turn = random.rotation();
       const Matrix toWorld = move * turn * Matrix::scale(random.inCube(-2, 2));
       geometry.addBounds(instance == 0 ? Matrix() : toWorld, box);
