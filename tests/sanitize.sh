@@ -66,12 +66,14 @@ valgrind_tests() {
   variant sanitize/valgrind all -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE='-O1 -g' || { say FAILED 'valgrind: the build' && return; }
   while read -r unit; do
-    if valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite \
-      "$build/sanitize/valgrind/unit_tests" "$unit"; then
-      say clean "valgrind: $unit"
-    else
-      say FAILED "valgrind: $unit"
-    fi
+    status=0
+    valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite \
+      "$build/sanitize/valgrind/unit_tests" "$unit" || status=$?
+    case $status in
+      0) say clean "valgrind: $unit" ;;
+      77) say 'left out' "valgrind: $unit, none of which runs here" ;;
+      *) say FAILED "valgrind: $unit" ;;
+    esac
   done <"$root/tests/valgrind_units.txt"
 }
 
