@@ -4,7 +4,7 @@
 #pragma once
 #include <cstdint>
 
-#include "math/vec3.h"
+#include "math/matrix.h"
 
 class Object3D;
 
@@ -41,11 +41,11 @@ class Ray {
     return source_ == surface && sourceFace_ == face;
   }
 
-  /// The same ray seen from another space: new origin and direction, same source.
-  Ray moved(const Vec3d& origin, const Vec3d& direction) const {
+  /// The same ray in the space to which `map` takes this one: t and source are kept.
+  Ray moved(const Matrix& map) const {
     Ray ray = *this;
-    ray.origin_ = origin;
-    ray.direction_ = direction;
+    ray.origin_ = map.transformPoint(origin_);
+    ray.direction_ = map.transformDirection(direction_);
     return ray;
   }
 

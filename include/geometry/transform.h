@@ -26,10 +26,7 @@ class Transform : public Object3D {
   const Object3D* getObject() const { return object_; }
 
   /// The ray in the object's space; t and source are kept.
-  Ray toObject(const Ray& ray) const {
-    return ray.moved(inverse_.transformPoint(ray.getOrigin()),
-                     inverse_.transformDirection(ray.getDirection()));
-  }
+  Ray toObject(const Ray& ray) const { return ray.moved(inverse_); }
   /// Restates a hit in the object's space as one in this Transform's, where the ray is `ray`.
   void toParent(const Ray& ray, Hit& hit) const;
 

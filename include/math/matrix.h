@@ -10,7 +10,7 @@ class Matrix {
 
  public:
   /// The identity.
-  Matrix();
+  Matrix() : m_{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}} {}
   /// From rows of three linear factors and one translation each.
   explicit Matrix(const double (&rows)[3][4]);
 

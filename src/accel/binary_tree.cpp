@@ -64,8 +64,9 @@ struct BinaryTree::Subtree {
   std::size_t mostWords;  ///< that its leaves can take
 
   /// A leaf of an area.
-  static Subtree ofLeaf(float area, int primitives) {
-    return {1, {area, area}, {}, std::size_t(kFirstRow + kMostTriangleWords * primitives)};
+  static Subtree ofLeaf(float area, LeafKind kind, int primitives) {
+    const int most = kind == LeafKind::objects ? kMostObjectWords : kMostTriangleWords;
+    return {1, {area, area}, {}, std::size_t(kFirstRow + most * primitives)};
   }
   /// A node over two subtrees, where being a node of its own costs `price`; stores its plan.
   static Subtree ofNode(float price, const Subtree& first, const Subtree& second,
@@ -137,7 +138,7 @@ BinaryTree::Subtree BinaryTree::build(const BuildRange& range, BinaryNode& node,
   if (const int primitives = fittingLeaf(range)) {
     node.first = std::uint32_t(range.first - items_);
     node.plan = BinaryNode::kLeaf | std::uint32_t(range.count);
-    return Subtree::ofLeaf(range.box.halfArea(), primitives);
+    return Subtree::ofLeaf(range.box.halfArea(), range.first->kind, primitives);
   }
   assert(range.splits < kMostSplits);
   const Split split = range.splits < kMostSahSplits ? bestSplit(range) : Split();

@@ -63,8 +63,9 @@ class LeafWriter {
 /// The head of a leaf: `edge` rounded up a little; see LeafKind.
 std::uint32_t leafHead(float edge, LeafKind kind, int count, int vertices = 0);
 
-/// The most words of a triangle, which shares no vertex, and of a leaf.
-constexpr int kMostTriangleWords = 10, kMostLeafWords = kFirstRow + 8 * kMostTriangleWords;
+/// The most words of a triangle, which shares no vertex, of an object, and of a leaf.
+constexpr int kMostTriangleWords = 10, kMostObjectWords = 34,
+              kMostLeafWords = kFirstRow + 8 * kMostTriangleWords;
 
 /// The most primitives a leaf may hold.
 constexpr int mostInLeaf(LeafKind kind) { return kind == LeafKind::objects ? 1 : 8; }

@@ -91,16 +91,17 @@ struct CompiledScene::Trees {
     member.order = nextOrder++;
     accel::TransformError error;
     if (const auto* mesh = exactly<TriangleMesh>(object)) {
-      addMesh(member, *mesh, TreeMember::Kind::mesh);
+      addMesh(member, *mesh);
     } else if (const auto* transform = exactly<Transform>(object)) {
       error = addTransform(member, *transform, range.inside(*transform));
     }
     tree.add(member, error);
   }
 
-  void addMesh(TreeMember& member, const TriangleMesh& mesh, TreeMember::Kind kind) {
+  void addMesh(TreeMember& member, const TriangleMesh& mesh) {
     if (mesh.getGeometry().faceCount() < kSmallMesh) return;
-    member.kind = kind;
+    member.kind = TreeMember::Kind::mesh;
+    member.mesh = &mesh;
     const MeshGeometry& geometry = mesh.getGeometry();
     member.meshTree = &meshTrees.try_emplace(&geometry, geometry, threads).first->second;
   }
@@ -111,8 +112,8 @@ struct CompiledScene::Trees {
     const Object3D* inside = transform.getObject();
     accel::TransformError error;
     if (const auto* mesh = exactly<TriangleMesh>(inside)) {
-      addMesh(member, *mesh, TreeMember::Kind::transformedMesh);
-      const bool isTree = member.kind == TreeMember::Kind::transformedMesh;
+      addMesh(member, *mesh);
+      const bool isTree = member.kind == TreeMember::Kind::mesh;
       if (isTree && !range.fits(member.meshTree->bvh().scale))
         member.kind = TreeMember::Kind::plain;
     } else if (exactly<Group>(inside) || exactly<Transform>(inside)) {
@@ -121,10 +122,11 @@ struct CompiledScene::Trees {
       tree.finish(threads);
       error = tree.error();
       if (tree.fits(range)) {
-        member.kind = TreeMember::Kind::transformedTree;
+        member.kind = TreeMember::Kind::tree;
         member.objectTree = &tree;
       }
     }
+    if (member.kind != TreeMember::Kind::plain) member.inverse = &transform.getInverse();
     return accel::errorThrough(transform, error);
   }
 

@@ -126,7 +126,7 @@ void CrossingsQuestion::askShapes(const ShapeNumbers* shapes, int count, const R
 }
 
 void CrossingsQuestion::askInside(const TreeMember& member, const RowList& rows) {
-  const RayTable inside = movedInto(member.transform(), rows);
+  const RayTable inside = movedBy(*member.inverse, rows);
   CrossingsInside found(rows, visitor_);
   CrossingsQuestion within(kernels_, inside, found, arena_);
   member.objectTree->ask(within, RowList::all(rows.count, arena_));

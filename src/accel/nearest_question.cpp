@@ -125,7 +125,7 @@ void NearestQuestion::askShapes(const ShapeNumbers* shapes, int count, const Row
 }
 
 void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
-  const RayTable inside = movedInto(member.transform(), rows);
+  const RayTable inside = movedBy(*member.inverse, rows);
   HitTable found(arena_, rows.count);
   for (int k = 0; k < rows.count; ++k) found.order[k] = hits_.order[rows.rows[k]];
   NearestQuestion within(kernels_, inside, found, arena_);
@@ -146,7 +146,7 @@ void NearestQuestion::askInside(const TreeMember& member, const RowList& rows) {
     setRowOf(hits_.normal, row, rowOf(found.normal, k));
     hit[count++] = std::uint16_t(row);
   }
-  kernels_.moveHits(member.transform().getInverse(), rays_, {hit, count}, hits_);
+  kernels_.moveHits(*member.inverse, rays_, {hit, count}, hits_);
 }
 
 }  // namespace accel

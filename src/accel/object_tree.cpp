@@ -40,24 +40,18 @@ constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 /// uppermost levels is smaller, but spared only 3 % of the nodes with 10,000 turned meshes.
 BoundingBox boxOf(const TreeMember& member) {
   BoundingBox box;
-  switch (member.kind) {
-    case TreeMember::Kind::mesh:
-      return member.meshTree->box();
-    case TreeMember::Kind::transformedMesh:
-      return member.meshTree->box().moved(member.transform().getMatrix());
-    case TreeMember::Kind::transformedTree:
-      return member.objectTree->box().moved(member.transform().getMatrix());
-    case TreeMember::Kind::plain:
-    case TreeMember::Kind::shape:
-    case TreeMember::Kind::tree:  // these are not there yet
-      member.object->addBounds(Matrix(), box);
+  if (member.kind == TreeMember::Kind::plain) {
+    member.object->addBounds(Matrix(), box);
+    return box;
   }
-  return box;
+  box = member.kind == TreeMember::Kind::mesh ? member.meshTree->box() : member.objectTree->box();
+  if (!member.inverse) return box;
+  return box.moved(static_cast<const Transform*>(member.object)->getMatrix());
 }
 
 bool isBounded(const TreeMember& member) {
-  return member.kind == TreeMember::Kind::transformedTree ? member.objectTree->isBounded()
-                                                          : member.object->isBounded();
+  return member.kind == TreeMember::Kind::tree ? member.objectTree->isBounded()
+                                               : member.object->isBounded();
 }
 
 LeafKind leafKindOf(const TreeMember& member) {
@@ -88,13 +82,14 @@ class ObjectLeafWriter : public LeafWriter {
 
   int write(const BuildItem* items, int count, std::uint32_t* words) const override {
     const LeafKind kind = items[0].kind;
+    if (kind == LeafKind::objects) return writeObject(members_[items[0].id], words);
     float edge = 0;
     for (int i = 0; i < count; ++i) {
       const Object3D* object = members_[items[i].id].object;
       std::uint32_t* column = words + 1 + i;
       if (kind == LeafKind::looseTriangles) {
         edge = std::max(edge, writeTriangle(static_cast<const Triangle&>(*object), column, count));
-      } else if (kind == LeafKind::spheres) {
+      } else {
         writeSphere(static_cast<const Sphere&>(*object), column, count);
       }
       column[rowsOf(kind) * count] = items[i].id | kIdBit;
@@ -104,6 +99,15 @@ class ObjectLeafWriter : public LeafWriter {
   }
 
  private:
+  static int writeObject(const TreeMember& member, std::uint32_t* words) {
+    constexpr int kMember = sizeof member / sizeof *words, kMatrix = sizeof(Matrix) / sizeof *words;
+    static_assert(kMember + kMatrix <= kMostObjectWords);
+    words[0] = leafHead(0, LeafKind::objects, 1);
+    std::memcpy(words + 1, &member, sizeof member);
+    if (!member.inverse) return 1 + kMember;
+    std::memcpy(words + 1 + kMember, member.inverse, sizeof(Matrix));
+    return 1 + kMember + kMatrix;
+  }
   Vec3d normalized(const Vec3d& p) const {
     return (p - Vec3d(bvh_.anchor[0], bvh_.anchor[1], bvh_.anchor[2])) * bvh_.scale;
   }

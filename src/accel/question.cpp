@@ -11,9 +11,7 @@ namespace accel {
 void Question::askTree(const AskedTree& tree, const RowList& rows) {
   if (tree.bvh().isEmpty() || rows.count == 0) return;
   const Arena::Frame frame(arena_);
-  const Transform* const transform = tree.transform();
-  Stream stream(tree.bvh(), transform ? &transform->getInverse() : nullptr, raysFor(tree), rows,
-                arena_);
+  Stream stream(tree.bvh(), tree.inverse(), raysFor(tree), rows, arena_);
   kernels_.prepare(stream);
   if (stream.count == 0) return;
   walk(tree, stream);
@@ -35,18 +33,15 @@ void Question::askMember(const TreeMember& member, const RowList& rows) {
     case TreeMember::Kind::shape:
       return askShapes(member.shape, 1, rows);
     case TreeMember::Kind::mesh:
-    case TreeMember::Kind::transformedMesh:
-      return askTree(member.askedMesh(), rows);
-    case TreeMember::Kind::transformedTree:
-      return askInside(member, rows);
+      return askTree(AskedMesh(*member.mesh, member.inverse, *member.meshTree, member.order), rows);
     case TreeMember::Kind::tree:
-      return member.objectTree->ask(*this, rows);
+      return member.inverse ? askInside(member, rows) : member.objectTree->ask(*this, rows);
   }
 }
 
-RayTable Question::movedInto(const Transform& transform, const RowList& rows) const {
+RayTable Question::movedBy(const Matrix& inverse, const RowList& rows) const {
   RayTable inside(arena_, rows.count, rays_.source != nullptr);
-  kernels_.moveRays(transform.getInverse(), rays_, rows, inside);
+  kernels_.moveRays(inverse, rays_, rows, inside);
   for (int k = 0; inside.source && k < rows.count; ++k) {
     inside.source[k] = rays_.source[rows.rows[k]];
     inside.sourceFace[k] = rays_.sourceFace[rows.rows[k]];
@@ -100,7 +95,7 @@ void OccludedQuestion::askShapes(const ShapeNumbers* shapes, int count, const Ro
 }
 
 void OccludedQuestion::askInside(const TreeMember& member, const RowList& rows) {
-  const RayTable inside = movedInto(member.transform(), rows);
+  const RayTable inside = movedBy(*member.inverse, rows);
   bool* found = arena_.take<bool>(std::size_t(rows.count));
   std::fill(found, found + rows.count, false);
   OccludedQuestion within(kernels_, inside, found, arena_);

@@ -30,8 +30,9 @@ class AskedTree {
  public:
   virtual ~AskedTree() = default;
   virtual const WideBvh& bvh() const = 0;
-  /// That it stands under, where the rays are not moved into its space before; else null.
-  virtual const Transform* transform() const { return nullptr; }
+  /// Of the Transform that it stands under, where the rays are not moved into its space before;
+  /// else null.
+  virtual const Matrix* inverse() const { return nullptr; }
   /// True where all that its leaves hold is one object of the scene.
   virtual bool isOneObject() const { return false; }
   /// The triangle or sphere in lane `lane` of the leaf at `words`.
@@ -50,8 +51,8 @@ class AskedTree {
     const LeafPrimitive p = primitiveAt(words, lane);
     crossing = {0, p.object, p.material, false, false};
   }
-  /// Asks object `id` of a leaf of objects, of which a mesh has none.
-  virtual void askObject(std::uint32_t /*id*/, Question& /*question*/,
+  /// Asks the object of the leaf at `words`, of which a mesh has none.
+  virtual void askObject(const std::uint32_t* /*words*/, Question& /*question*/,
                          const RowList& /*rows*/) const {}
 };
 
@@ -90,8 +91,8 @@ class Question {
   virtual void walk(const AskedTree& tree, Stream& stream) = 0;
   virtual void askInside(const TreeMember& member, const RowList& rows) = 0;
 
-  /// The listed rays as they are inside of a Transform, one row for each.
-  RayTable movedInto(const Transform& transform, const RowList& rows) const;
+  /// The listed rays as they are inside of a Transform of this inverse, one row for each.
+  RayTable movedBy(const Matrix& inverse, const RowList& rows) const;
 
   const Kernels& kernels_;
   const RayTable& rays_;

@@ -28,13 +28,14 @@ class Question::Walk {
     for (int k = 0; k < stream.candidateCount; ++k) self.decide(stream.candidates[k]);
     stream.candidateCount = 0;
   }
-  static void askObject(Stream& stream, std::uint32_t id, const std::uint16_t* list, int count) {
+  static void askObject(Stream& stream, const std::uint32_t* words, const std::uint16_t* list,
+                        int count) {
     auto& self = *static_cast<Walk*>(stream.context);
     const Arena::Frame frame(self.question_.arena_);
     auto* rows = self.question_.arena_.take<std::uint16_t>(std::size_t(count));
     std::transform(list, list + count, rows,
                    [&](int ray) { return std::uint16_t(stream.rowOf(ray)); });
-    self.tree_.askObject(id, self.question_, self.question_.openOf({rows, count}));
+    self.tree_.askObject(words, self.question_, self.question_.openOf({rows, count}));
     for (int k = 0; k < count; ++k) self.objectWasAsked(list[k]);
   }
 
@@ -50,7 +51,7 @@ class Question::Walk {
   /// The candidate's ray, in the space of the tree.
   Ray rayOf(const Candidate& c) const {
     const Ray ray = stream_.rays->rayOf(stream_.rowOf(c.ray));
-    return tree_.transform() ? tree_.transform()->toObject(ray) : ray;
+    return tree_.inverse() ? ray.moved(*tree_.inverse()) : ray;
   }
   /// True where the ray hits the primitive, the first time above tmin at t.
   bool isHit(const Candidate& c, LeafPrimitive& p, double& t) const {

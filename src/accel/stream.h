@@ -159,8 +159,10 @@ struct Stream {
 
   /// Decides all candidates and empties the list; may lower tmax' of their rays.
   void (*resolve)(Stream& stream);
-  /// Asks object `id` for rays `rays[0 .. count)` of the stream; may lower their tmax'.
-  void (*askObject)(Stream& stream, std::uint32_t id, const std::uint16_t* rays, int count);
+  /// Asks the object of the leaf at `words` for rays `rays[0 .. count)` of the stream; may lower
+  /// their tmax'.
+  void (*askObject)(Stream& stream, const std::uint32_t* words, const std::uint16_t* rays,
+                    int count);
   void* context;  ///< for these two
 
   /// For the tree, which is not empty, with memory of the arena; attach is still to be called.

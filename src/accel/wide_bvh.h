@@ -39,14 +39,12 @@ enum class LeafKind : std::uint16_t {
   meshTriangles = 0,
   looseTriangles = 1,  ///< nine rows: v0 rounded, v1 - v0 and v2 - v0 rounded
   spheres = 2,         ///< four rows: centre and radius, rounded
-  objects = 3          ///< no rows: anything else, asked through its virtual functions
+  objects = 3          ///< anything else, one in a leaf: head, TreeMember, perhaps a Matrix
 };
 constexpr std::uint32_t kIdBit = 0x40000000u;
 
-/// Of kinds other than meshTriangles.
-constexpr int rowsOf(LeafKind kind) {
-  return kind == LeafKind::spheres ? 4 : kind == LeafKind::objects ? 0 : 9;
-}
+/// Of loose triangles and spheres.
+constexpr int rowsOf(LeafKind kind) { return kind == LeafKind::spheres ? 4 : 9; }
 constexpr LeafKind kindOf(std::uint32_t head) { return LeafKind(head >> 4 & 3); }
 constexpr int countOf(std::uint32_t head) { return int(head & 15); }
 /// In a leaf of a mesh, 3 to 24; the rows begin behind head and places.

@@ -10,8 +10,6 @@
 
 #include "math/functions.h"
 
-Matrix::Matrix() : m_{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}} {}
-
 Matrix::Matrix(const double (&rows)[3][4]) {
   for (int row = 0; row < 3; ++row) std::copy(rows[row], rows[row] + 4, m_[row]);
 }

@@ -210,7 +210,8 @@ TEST("a ray that leaves one face never meets that face, but may meet its neighbo
   Ray across({1, 0.5, 2 + 1e-9}, {-1, 0.2, -1e-3});  // over the diagonal, down into face {4, 7, 6}
   across.setSource(&mesh, 2);
   Hit neighbour;
-  across = across.moved({0, 0.7, 2 + 1e-9}, {-1, 0, -1e-3});
+  across.set({0, 0.7, 2 + 1e-9}, {-1, 0, -1e-3});
+  across.setSource(&mesh, 2);
   CHECK(mesh.intersect(across, neighbour, 0));
   CHECK_EQUAL(neighbour.getFace(), 3u);
   CHECK_NEAR(neighbour.getT(), 1e-6, 1e-12);  // 1e-9 down at a slope of 1e-3
