@@ -199,9 +199,33 @@ struct Places8 {
 
 #endif
 
-// Compaction: of list[0 .. count) those whose mask has bit `bit`, in order, go to `out`; returns
-// how many. Reads and writes up to a multiple of 16 entries.
+// Compaction. MaskWriter stores masks of a byte, one behind the other, and compress reads them: of
+// list[0 .. count) those whose mask has bit `bit`, in order, go to `out`; returns how many. Both
+// read and write up to a multiple of eight.
 #if defined(__AVX2__)
+
+/// Stores eight at once, as they are read. A load of bytes that were stored one by one waits until
+/// all have reached the cache: 1.04 of the time of tracing.
+class MaskWriter {
+ public:
+  explicit MaskWriter(std::uint8_t* to) : to_(to) {}
+  void add(unsigned mask) {
+    eight_ = eight_ >> 8 | std::uint64_t(mask) << 56;
+    if (++count_ % 8 == 0) __builtin_memcpy(to_ + count_ - 8, &eight_, 8);
+  }
+  /// To be called behind the last one.
+  void finish() {
+    const unsigned left = count_ % 8;
+    if (left == 0) return;
+    eight_ >>= 64 - 8 * left;
+    __builtin_memcpy(to_ + count_ - left, &eight_, 8);
+  }
+
+ private:
+  std::uint8_t* const to_;
+  std::uint64_t eight_ = 0;  // those not stored yet, from the highest byte down
+  unsigned count_ = 0;
+};
 
 /// For each mask of eight entries of two bytes, which bytes are taken.
 struct CompressTable {
@@ -232,17 +256,26 @@ inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* mas
                               std::uint32_t count, int bit, std::uint16_t* out) {
   const std::uint16_t* const begin = out;
   const __m128i toSign = _mm_cvtsi32_si128(7 - bit);
-  for (std::uint32_t k = 0; k < count; k += 16) {
-    const __m128i sixteen = _mm_loadu_si128(reinterpret_cast<const __m128i*>(masks + k));
-    unsigned taken = unsigned(_mm_movemask_epi8(_mm_sll_epi16(sixteen, toSign)));
-    if (count - k < 16) taken &= (1u << (count - k)) - 1;
-    out = compressEight(list + k, taken & 255, out);
-    if (taken >> 8 != 0) out = compressEight(list + k + 8, taken >> 8, out);
+  for (std::uint32_t k = 0; k < count; k += 8) {
+    const __m128i eight = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(masks + k));
+    unsigned taken = unsigned(_mm_movemask_epi8(_mm_sll_epi16(eight, toSign))) & 255;
+    if (count - k < 8) taken &= (1u << (count - k)) - 1;
+    out = compressEight(list + k, taken, out);
   }
   return std::uint32_t(out - begin);
 }
 
 #else
+
+class MaskWriter {
+ public:
+  explicit MaskWriter(std::uint8_t* to) : to_(to) {}
+  void add(unsigned mask) { *to_++ = std::uint8_t(mask); }
+  void finish() {}
+
+ private:
+  std::uint8_t* to_;
+};
 
 inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* masks,
                               std::uint32_t count, int bit, std::uint16_t* out) {
