@@ -31,15 +31,6 @@ using accel::Question;
 using accel::RayRange;
 using accel::TreeMember;
 
-bool areAllHeld(const RayTable& rays) {
-  for (const double* column : rays.origin) {
-    for (int row = 0; row < rays.count; ++row) {
-      if (!(std::fabs(column[row]) <= RayRange::kFarthest)) return false;
-    }
-  }
-  return true;
-}
-
 /// The rows of the rays that start near enough, or of the others.
 RowList heldRows(const RayTable& rays, bool areHeld, Arena& arena) {
   auto* rows = arena.take<std::uint16_t>(std::size_t(rays.count));
@@ -72,7 +63,7 @@ struct CompiledScene::Trees {
     const RayTable& rays = question.rays();
     Arena& arena = question.arena();
     const Arena::Frame frame(arena);
-    if (areAllHeld(rays)) return root.ask(question, RowList::all(rays.count, arena));
+    if (kernels.areHeld(rays)) return root.ask(question, RowList::all(rays.count, arena));
     root.ask(question, heldRows(rays, true, arena));
     question.askObject(plain, 0, heldRows(rays, false, arena));
   }

@@ -10,6 +10,7 @@
 #endif
 
 #include "accel/stream.h"
+#include "accel/transform_range.h"
 #include "geometry/plane.h"
 #include "geometry/sphere.h"
 #include "geometry/transform.h"
@@ -49,7 +50,8 @@ struct RaysWithin {
 #include "accel/walk_stream.inc"
 
 Kernels kernels() {
-  return {prepare,
+  return {areHeld,
+          prepare,
           walk<Purpose::nearest>,
           walk<Purpose::any>,
           walk<Purpose::all>,

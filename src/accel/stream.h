@@ -237,6 +237,8 @@ struct BoxNumbers {
 
 /// What is computed several rays or boxes at a time.
 struct Kernels {
+  /// Whether RayRange::holds for the origins of all rays: one by one, 1.02 of the instructions.
+  bool (*areHeld)(const RayTable& rays);
   /// Fills in the rays of the list that meet the tree's box between tmin and tmax, and their count.
   void (*prepare)(Stream& stream);
   /// Walk the tree. Candidates may be left over: the caller resolves them. A proven hit

@@ -203,6 +203,8 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
   Vec3d* mixtures = nullptr;  // the sums of textures' components, for each ray
   SolidTexture::Mixture mixture;
   const Background& background = tracer_.scene().getBackground();
+  const Material* last = nullptr;
+  const SolidTexture* texture = nullptr;  // the same, if it is one
   int count = 0;
   const auto add = [&](int row, const WeightedMaterial& weighted, bool isComponent) {
     if (count == RayTable::kMost) {
@@ -214,7 +216,10 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
   for (int row = 0; row < rays.count; ++row) {
     if (!hits.isFound(row)) {
       colors[row] = background.colorAt(rowOf(rays.direction, row));
-    } else if (const SolidTexture* texture = hits.material[row]->asTexture()) {
+      continue;
+    }
+    if (hits.material[row] != last) texture = (last = hits.material[row])->asTexture();
+    if (texture) {
       if (!mixtures) {
         mixtures = arena_.take<Vec3d>(std::size_t(rays.count));
         std::fill(mixtures, mixtures + rays.count, Vec3d());
@@ -223,7 +228,7 @@ void WaveTracer::trace(WaveRays& rays, int bounces, HitTable& hits, Vec3f* color
         add(row, component, true);
       }
     } else {
-      add(row, {hits.material[row], 1}, false);
+      add(row, {last, 1}, false);
     }
   }
   shade(generation, met, count, colors, mixtures);
