@@ -13,19 +13,18 @@ class NearestQuestion::NearestWalk : public Walk {
       : Walk(question, tree, stream), hits_(question.hits_) {
     const auto count = std::size_t(stream.count);
     winners_ = question.arena_.take<Winner>(count);
-    std::fill(winners_, winners_ + count, Winner{0, 0, 0});
-    survivors_ = question.arena_.take<std::uint8_t>(count);
-    std::fill(survivors_, survivors_ + count, std::uint8_t(0));
+    std::fill(winners_, winners_ + count, Winner{});
   }
 
   /// Decides what the walk has left, and computes the hits.
   void finish(const Kernels& kernels) {
     Candidate* const end = stream_.candidates + stream_.candidateCount;
     for (const Candidate* c = stream_.candidates; c != end; ++c) {
-      if (survives(*c) && survivors_[c->ray] < 2) ++survivors_[c->ray];
+      std::uint8_t& survivors = winners_[c->ray].survivors;
+      if (survives(*c) && survivors < 2) ++survivors;
     }
     for (const Candidate* c = stream_.candidates; c != end; ++c) {
-      consider(*c, isUndecided_ && survivors_[c->ray] == 1);
+      consider(*c, isUndecided_ && winners_[c->ray].survivors == 1);
     }
     computeHits(kernels);
   }
@@ -35,6 +34,7 @@ class NearestQuestion::NearestWalk : public Walk {
     std::uint32_t leaf;  // 0: none
     std::uint32_t face;
     std::uint8_t lane;
+    std::uint8_t survivors;  // candidates that the walk has left, two at most
   };
 
   void decide(const Candidate& c) override {
@@ -60,7 +60,8 @@ class NearestQuestion::NearestWalk : public Walk {
       stream_.rays->tmax[row] = t;
       stream_.lowerBound(c.ray, t);
     }
-    winners_[c.ray] = {c.leaf, primitive.face, c.lane};
+    Winner& winner = winners_[c.ray];
+    winner = {c.leaf, primitive.face, c.lane, winner.survivors};
     hits_.order[row] = primitive.order;
   }
 
@@ -98,7 +99,6 @@ class NearestQuestion::NearestWalk : public Walk {
 
   HitTable& hits_;
   Winner* winners_;          // of each ray
-  std::uint8_t* survivors_;  // of each ray, two at most
   bool isUndecided_ = true;  // no ray has been decided yet
 };
 
