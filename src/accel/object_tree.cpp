@@ -8,7 +8,8 @@
 //   2. The tree's normalised space is chosen: the middle of all boxes is the anchor, and a power of
 //      two scales the longest side to 1 to 2. Boxes are rounded outwards there, to float.
 //   3. The builder makes the nodes; leaves are written here: spheres and triangles in numbers that
-//      the kernels can test, everything else as the number of its member alone.
+//      the kernels can test, everything else as its whole member, with a copy of the inverse of the
+//      Transform that it stands under.
 // Transforms below make hits less exact than the kernels' error bounds say; by how much is noted in
 // the tree, and rays are prepared with boxes that are wider by that.
 #include "accel/object_tree.h"
