@@ -233,6 +233,17 @@ inline std::uint16_t* compressRows(const std::uint16_t* rows, unsigned bits, std
   const __m256i taken = _mm256_maskz_compress_epi32(__mmask8(bits), wide);
   _mm_storeu_si128((__m128i*)out, _mm256_cvtepi32_epi16(taken));
   return out + __builtin_popcount(bits);
+#elif defined(RAYTRACER_LANES_AVX2)
+  // For each set of bits the bytes of the rows that are taken, the first one lowest.
+  static constexpr std::uint64_t kBytes[16] = {
+      0x0000000000000000, 0x0000000000000100, 0x0000000000000302, 0x0000000003020100,
+      0x0000000000000504, 0x0000000005040100, 0x0000000005040302, 0x0000050403020100,
+      0x0000000000000706, 0x0000000007060100, 0x0000000007060302, 0x0000070603020100,
+      0x0000000007060504, 0x0000070605040100, 0x0000070605040302, 0x0706050403020100};
+  const __m128i four = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(rows));
+  const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kBytes + bits));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(four, bytes));
+  return out + __builtin_popcount(bits);
 #else
   for (int lane = 0; lane < kDoubles; ++lane) {
     *out = rows[lane];  // overwritten by the next one where it is not taken

@@ -289,25 +289,29 @@ inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* mas
 
 #endif
 
-/// Four columns of kCount numbers, one behind the other, become kCount rows of four: row i stands
-/// at rows + i * stride.
-template <int kCount>
-inline void transpose(const float* columns, float* rows, int stride) {
+/// kColumns columns of kCount numbers, one behind the other, become kCount rows; kColumns is a
+/// multiple of four.
+template <int kCount, int kColumns>
+inline void transpose(const float* columns, void* const* rows) {
+  for (int k = 0; k < kColumns; k += 4) {
+    const float* const four = columns + k * kCount;
 #if defined(__SSE2__)
-  if (kCount % 4 == 0) {
-    for (int i = 0; i < kCount; i += 4) {
-      __m128 a = _mm_loadu_ps(columns + i), b = _mm_loadu_ps(columns + kCount + i),
-             c = _mm_loadu_ps(columns + 2 * kCount + i), d = _mm_loadu_ps(columns + 3 * kCount + i);
-      _MM_TRANSPOSE4_PS(a, b, c, d);
-      _mm_storeu_ps(rows + i * stride, a);
-      _mm_storeu_ps(rows + (i + 1) * stride, b);
-      _mm_storeu_ps(rows + (i + 2) * stride, c);
-      _mm_storeu_ps(rows + (i + 3) * stride, d);
+    if (kCount % 4 == 0) {
+      for (int i = 0; i < kCount; i += 4) {
+        __m128 a = _mm_loadu_ps(four + i), b = _mm_loadu_ps(four + kCount + i),
+               c = _mm_loadu_ps(four + 2 * kCount + i), d = _mm_loadu_ps(four + 3 * kCount + i);
+        _MM_TRANSPOSE4_PS(a, b, c, d);
+        _mm_storeu_ps(static_cast<float*>(rows[i]) + k, a);
+        _mm_storeu_ps(static_cast<float*>(rows[i + 1]) + k, b);
+        _mm_storeu_ps(static_cast<float*>(rows[i + 2]) + k, c);
+        _mm_storeu_ps(static_cast<float*>(rows[i + 3]) + k, d);
+      }
+      continue;
     }
-    return;
-  }
 #endif
-  for (int i = 0; i < kCount; ++i) {
-    for (int k = 0; k < 4; ++k) rows[i * stride + k] = columns[k * kCount + i];
+    for (int i = 0; i < kCount; ++i) {
+      const float row[4] = {four[i], four[kCount + i], four[2 * kCount + i], four[3 * kCount + i]};
+      __builtin_memcpy(static_cast<float*>(rows[i]) + k, row, sizeof row);
+    }
   }
 }

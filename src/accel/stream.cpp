@@ -11,8 +11,16 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-float ParameterMap::below(double t) const { return float(boundBelow(t, scale, shift)); }
-float ParameterMap::above(double t) const { return float(boundAbove(t, scale, shift)); }
+float ParameterMap::below(double t) const {
+  double least, most;
+  boundsOf(t, scale, shift, least, most);
+  return float(least);
+}
+float ParameterMap::above(double t) const {
+  double least, most;
+  boundsOf(t, scale, shift, least, most);
+  return float(most);
+}
 
 Stream::Stream(const WideBvh& tree, const Matrix* moves, const RayTable& table, const RowList& rows,
                Arena& arena)
@@ -31,14 +39,16 @@ Stream::Stream(const WideBvh& tree, const Matrix* moves, const RayTable& table, 
       askObject(nullptr),
       context(nullptr) {
   const auto most = std::size_t(rows.count);
-  boxRays = arena.take<BoxRay>(most);
-  primitiveRays = arena.take<PrimitiveRay>(most);
-  maps = arena.take<ParameterMap>(most);
+  // One more, which takes what is computed for nothing.
+  boxRays = arena.take<BoxRay>(most + 1);
+  primitiveRays = arena.take<PrimitiveRay>(most + 1);
+  maps = arena.take<ParameterMap>(most + 1);
   // A visited node, or frame, leaves at most seven entries behind, besides the one that is visited
   // next; each of its boxes may have a list of its own, at most as long as that of the node.
   const auto levels = std::size_t(tree.levels);
   stack = arena.take<StreamEntry>(levels * (kWidth - 1) + 2);
-  pool = arena.take<std::uint16_t>((levels * kWidth + 1) * most + 16);
+  octantRoom = std::uint32_t(most) + 8;
+  pool = arena.take<std::uint16_t>(8 * octantRoom + levels * kWidth * most + 16);
   masks = arena.take<std::uint8_t>(most + 16);
   outside = arena.take<OutsideRay>(std::size_t(tree.frameLevels) * most);
   candidates = arena.take<Candidate>(kMostCandidates);

@@ -52,19 +52,16 @@
 
 namespace accel {
 
-/// What, rounded to a float, is surely not above t' = t * scale - shift; -infinity where floats are
-/// too small.
+/// What, rounded to floats, is surely not above, and surely not below, t' = t * scale - shift:
+/// -infinity and infinity where floats are too small.
 template <class Number>
-Number boundBelow(const Number& t, const Number& scale, const Number& shift) {
+void boundsOf(const Number& t, const Number& scale, const Number& shift, Number& below,
+              Number& above) {
   constexpr double kMost = 0x1p127;  // half of what a float holds, so that sums with it are held
   const Number x = t * scale - shift, slack = absolute(x) * 0x1p-23 + absolute(shift) * 0x1p-46;
-  const Number most = kMost, least = -__builtin_inf();
-  return choose(x > kMost, most, choose(x < -kMost, least, x - slack));
-}
-/// What is surely not below it.
-template <class Number>
-Number boundAbove(const Number& t, const Number& scale, const Number& shift) {
-  return -boundBelow(t, -scale, -shift);
+  const Number most = kMost, endless = __builtin_inf();
+  below = choose(x > most, most, choose(x < -most, -endless, x - slack));
+  above = choose(x < -most, -most, choose(x > most, endless, x + slack));
 }
 
 /// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
@@ -138,16 +135,17 @@ struct Stream {
   RowList list;           ///< the rows that are asked
   const Matrix* inverse;  ///< of the Transform that the tree stands under; null where of none
 
-  // The rays of the list that meet the tree's box.
+  // The rays of the list that meet the tree's box. There is room for one more.
   int count;
-  int octantEnd[8];  ///< those of octant o end here in the pool
+  std::uint32_t octantCount[8];  ///< of those whose direction lies in octant o
+  std::uint32_t octantRoom;      ///< their list is at o times this in the pool
   BoxRay* boxRays;
   PrimitiveRay* primitiveRays;
   ParameterMap* maps;
 
   // What the walk needs.
   StreamEntry* stack;
-  std::uint16_t* pool;  ///< all rays, sorted by octant; behind them the lists of all entries
+  std::uint16_t* pool;  ///< the lists of the octants; behind them those of all entries
   std::uint8_t* masks;  ///< which boxes of a node each ray of a list meets
   OutsideRay* outside;  ///< those of all frames that have been entered, up to `outsideEnd`
   int outsideEnd;
