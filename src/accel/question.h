@@ -91,6 +91,8 @@ class Question {
   virtual void walk(const AskedTree& tree, Stream& stream) = 0;
   virtual void askInside(const TreeMember& member, const RowList& rows) = 0;
 
+  /// askTree for rays that walk together.
+  void askStream(const AskedTree& tree, const RowList& rows);
   /// The listed rays as they are inside of a Transform of this inverse, one row for each.
   RayTable movedBy(const Matrix& inverse, const RowList& rows) const;
 

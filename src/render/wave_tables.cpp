@@ -57,11 +57,14 @@ WaveSurfaces::WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* 
     const int row = met[k].ray, place = met[k].place;
     ray[place] = met[k].ray;
     weight[place] = met[k].isComponent ? rays.weight[row] * float(met[k].share) : rays.weight[row];
-    for (int axis = 0; axis < 3; ++axis) {
-      view[axis][place] = rays.direction[axis][row];
-      point[axis][place] = hits.point[axis][row];
-      normal[axis][place] = hits.normal[axis][row];
-    }
+  }
+  const auto take = [&](double* column, const double* from) {
+    for (int k = 0; k < rows; ++k) column[k] = from[ray[k]];
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    take(view[axis], rays.direction[axis]);
+    take(point[axis], hits.point[axis]);
+    take(normal[axis], hits.normal[axis]);
   }
   for (double* column : sum) std::fill(column, column + rows, 0.0);
 }
