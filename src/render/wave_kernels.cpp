@@ -31,6 +31,16 @@ inline void eyeRays(const EyeFrame& eye, const double* x, const double* y, int c
   }
 }
 
+inline void takeSurfaces(const RayTable& rays, const HitTable& hits, const WaveSurfaces& surfaces) {
+  for (int k = 0; k < surfaces.count; k += kDoubles) {
+    const SomeRows some({surfaces.ray, surfaces.count}, k);
+    store(some.gather(rays.direction), surfaces.view, k);
+    store(some.gather(hits.point), surfaces.point, k);
+    store(some.gather(hits.normal), surfaces.normal, k);
+    store(DoubleVector(0, 0, 0), surfaces.sum, k);
+  }
+}
+
 inline void sampleLight(const LightNumbers& numbers, const WaveSurfaces& surfaces,
                         WaveLight& light) {
   DoubleVector direction = all(numbers.place), color = all(numbers.color);
@@ -43,8 +53,10 @@ inline void sampleLight(const LightNumbers& numbers, const WaveSurfaces& surface
     const DoubleVector lit = load(surfaces.lit, k);  // 0 on a dark side, which no light reaches
     const Mask isReached = isLit(lit, direction, numbers.isSeenBehind);
     unsigned bits = lanesOf(surfaces.count - k) & isReached.bits();
+    compressRow(load(surfaces.point, k), bits, light.origin, light.count);
     compressRow(direction, bits, light.direction, light.count);
     compressRow(color, bits, light.color, light.count);
+    lanes::compress(Doubles::load(surfaces.tmin + k), bits, light.tmin + light.count);
     lanes::compress(distance, bits, light.tmax + light.count);
     for (; bits != 0; bits &= bits - 1) {
       light.surface[light.count++] = std::uint16_t(k + __builtin_ctz(bits));
@@ -123,6 +135,6 @@ inline void absorb(const ColorFilterTable& filters) {
   }
 }
 
-WaveKernels waveKernels() { return {eyeRays, sampleLight, reflect, mirror, refract, absorb}; }
+WaveKernels waveKernels() { return {eyeRays, takeSurfaces, sampleLight, reflect, mirror, refract, absorb}; }
 
 }  // namespace INSTRUCTION_SET

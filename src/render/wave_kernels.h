@@ -57,6 +57,8 @@ struct WaveKernels {
   /// The origins and directions of `count` eye rays through the image points (x, y).
   void (*eyeRays)(const EyeFrame& eye, const double* x, const double* y, int count,
                   const RayTable& rays);
+  /// Fills in view, point and normal of the surfaces, and sums of 0.
+  void (*takeSurfaces)(const RayTable& rays, const HitTable& hits, const WaveSurfaces& surfaces);
   /// Fills `light` with the rays from surfaces that are turned towards it, or from all.
   void (*sampleLight)(const LightNumbers& numbers, const WaveSurfaces& surfaces, WaveLight& light);
   /// Adds to the surfaces, all of one material, what they send back of the listed light.

@@ -41,18 +41,17 @@ void WaveTracer::sampleLight(int index, const WaveGeneration& generation,
       asked.getIllumination(rowOf(surfaces.point, k), direction, color, distance);
       if (!isLit(rowOf(surfaces.lit, k), direction, numbers.isSeenBehind)) continue;
       light.surface[light.count] = std::uint16_t(k);
+      setRowOf(light.origin, light.count, rowOf(surfaces.point, k));
       setRowOf(light.direction, light.count, direction);
       setRowOf(light.color, light.count, color);
+      light.tmin[light.count] = surfaces.tmin[k];
       light.tmax[light.count++] = distance;
     }
   }
-  for (int row = 0; row < light.count; ++row) {
-    const int k = light.surface[row];
-    setRowOf(light.origin, row, rowOf(surfaces.point, k));
-    light.tmin[row] = surfaces.tmin[k];
-    if (!light.source) continue;
-    light.source[row] = generation.hits.object[surfaces.ray[k]];
-    light.sourceFace[row] = generation.hits.face[surfaces.ray[k]];
+  for (int row = 0; light.source && row < light.count; ++row) {
+    const int ray = surfaces.ray[light.surface[row]];
+    light.source[row] = generation.hits.object[ray];
+    light.sourceFace[row] = generation.hits.face[ray];
   }
 }
 

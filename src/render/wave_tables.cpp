@@ -42,8 +42,7 @@ void ColorFilterTable::add(const ColorFilter& filter, int ofRow) {
   exponent[count++] = filter.exponent;
 }
 
-WaveSurfaces::WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* met, int rows,
-                           Arena& arena)
+WaveSurfaces::WaveSurfaces(const WaveRays& rays, WaveHit* met, int rows, Arena& arena)
     : count(rows) {
   const auto size = std::size_t(rows);
   groups = arena.take<MaterialGroup>(size);
@@ -52,38 +51,39 @@ WaveSurfaces::WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* 
   weight = arena.take<float>(size);
   takeColumns(arena, rows, {&view, &point, &normal, &sum});
   std::copy(normal, normal + 3, lit);
-  sort(met, arena);
-  for (int k = 0; k < rows; ++k) {
-    const int row = met[k].ray, place = met[k].place;
-    ray[place] = met[k].ray;
-    weight[place] = met[k].isComponent ? rays.weight[row] * float(met[k].share) : rays.weight[row];
+  const Arena::Frame frame(arena);
+  auto* groupOf = arena.take<std::uint16_t>(size);
+  sort(met, groupOf);
+  // Neighbours are mostly of one group: its end is kept while they are.
+  for (int k = 0; k < count;) {
+    MaterialGroup& group = groups[groupOf[k]];
+    int place = group.last;
+    for (const int number = groupOf[k]; k < count && groupOf[k] == number; ++k, ++place) {
+      WaveHit& hit = met[k];
+      hit.place = std::uint16_t(place);
+      ray[place] = hit.ray;
+      weight[place] = rays.weight[hit.ray];
+      if (hit.isComponent) weight[place] *= float(hit.share);
+    }
+    group.last = place;
   }
-  const auto take = [&](double* column, const double* from) {
-    for (int k = 0; k < rows; ++k) column[k] = from[ray[k]];
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    take(view[axis], rays.direction[axis]);
-    take(point[axis], hits.point[axis]);
-    take(normal[axis], hits.normal[axis]);
-  }
-  for (double* column : sum) std::fill(column, column + rows, 0.0);
 }
 
-void WaveSurfaces::sort(WaveHit* met, Arena& arena) {
-  const Arena::Frame frame(arena);
-  auto* groupOf = arena.take<std::uint16_t>(std::size_t(count));
+/// Makes the groups, still empty where their surfaces will stand, and finds which each hit is of.
+void WaveSurfaces::sort(const WaveHit* met, std::uint16_t* groupOf) {
   // The group that a material of such a number began last. Where two have the same bits, each may
   // have several groups.
   std::uint16_t latest[256] = {};
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < count;) {
     const Material* const material = met[k].material;
     std::uint16_t& group = latest[material->getNumber() & 255];
     if (groupCount == 0 || groups[group].material != material) {
       group = std::uint16_t(groupCount);
       groups[groupCount++] = {material, 0, 0};
     }
-    ++groups[group].last;  // so many, for now
-    groupOf[k] = group;
+    const int first = k;
+    for (; k < count && met[k].material == material; ++k) groupOf[k] = group;
+    groups[group].last += k - first;  // so many, for now
   }
   int first = 0;
   for (MaterialGroup* group = groups; group != groups + groupCount; ++group) {
@@ -91,5 +91,4 @@ void WaveSurfaces::sort(WaveHit* met, Arena& arena) {
     group->first = group->last = first;
     first += size;
   }
-  for (int k = 0; k < count; ++k) met[k].place = std::uint16_t(groups[groupOf[k]].last++);
 }

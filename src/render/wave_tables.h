@@ -67,16 +67,16 @@ struct WaveSurfaces {
   float* weight;      ///< of the colour in the pixel
   double* sum[3];     ///< the colour so far, but for Interface::tint
 
-  /// Sorts `count` hits, whose places it sets, and takes over what is known of them. `lit` is
-  /// `normal`.
-  WaveSurfaces(const WaveRays& rays, const HitTable& hits, WaveHit* met, int count, Arena& arena);
+  /// Sorts `count` hits, whose places it sets. `view`, `point`, `normal`, `tmin` and `sum` are still
+  /// to be filled; `lit` is `normal`.
+  WaveSurfaces(const WaveRays& rays, WaveHit* met, int count, Arena& arena);
 
   void add(int row, const Vec3d& color) const {
     for (int axis = 0; axis < 3; ++axis) sum[axis][row] += color[axis];
   }
 
  private:
-  void sort(WaveHit* met, Arena& arena);
+  void sort(const WaveHit* met, std::uint16_t* groupOf);
 };
 
 /// The shadow rays to one light, from the surfaces that are turned towards it, and what arrives.

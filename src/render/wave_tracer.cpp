@@ -39,10 +39,7 @@ class WaveTracer::Branches {
         next_(tracer.arena_, std::min(2 * surfaces.count, RayTable::kMost), tracer.hasSources_,
               tracer.tracer_.shader().followsIndex()) {
     const auto most = std::size_t(surfaces.count);
-    rows_ = tracer.arena_.take<std::uint16_t>(most);
     places_ = tracer.arena_.take<std::uint16_t>(most);
-    weights_ = tracer.arena_.take<float>(most);
-    factors_ = tracer.arena_.take<Vec3f>(most);
     before_ = tracer.arena_.take<double>(most);
     behind_ = tracer.arena_.take<double>(most);
   }
@@ -68,7 +65,8 @@ class WaveTracer::Branches {
   }
   int capacity() const { return std::min(2 * surfaces_.count, RayTable::kMost); }
 
-  /// Lists those of [first, last) at which a ray follows, with its weight and factor.
+  /// Makes those of [first, last) at which a ray follows parents in the table, behind its rays, with
+  /// weight and factor, and returns their number.
   int follow(RayKind kind, const Material& material, int first, int last) {
     const Shader& shader = tracer_.tracer_.shader();
     if (!generation_.interfaces && !shader.areFactorsAngular()) {
@@ -81,11 +79,11 @@ class WaveTracer::Branches {
       if (next_.index) interface.before = {false, generation_.rays.indexOf(surfaces_.ray[k])};
       const Vec3f factor = shader.factorOf(kind, material, interface, approach);
       const Outcome outcome = shader.outcomeOf(generation_.bounces, surfaces_.weight[k], factor,
-                                               interface.tint, weights_[count]);
+                                               interface.tint, next_.weight[next_.count + count]);
       countEnds(outcome, 1);
       if (outcome != Outcome::follows) continue;
-      rows_[count] = std::uint16_t(k);
-      factors_[count] = factor;
+      next_.parent[next_.count + count] = std::uint16_t(k);
+      next_.factor[next_.count + count] = factor;
       before_[count] = double(interface.before.indexAt(material));
       behind_[count++] = double(interface.behind.indexAt(material));
     }
@@ -104,13 +102,14 @@ class WaveTracer::Branches {
       countEnds(Outcome::tooManyBounces, last - first);
       return 0;
     }
-    int count = 0;
+    int row = next_.count;
     for (int k = first; k < last; ++k) {
-      rows_[count] = std::uint16_t(k);
-      factors_[count] = factor;
-      weights_[count] = surfaces_.weight[k] * size;
-      count += shader.isFaint(weights_[count]) ? 0 : 1;
+      next_.parent[row] = std::uint16_t(k);
+      next_.factor[row] = factor;
+      next_.weight[row] = surfaces_.weight[k] * size;
+      row += shader.isFaint(next_.weight[row]) ? 0 : 1;
     }
+    const int count = row - next_.count;
     countEnds(Outcome::tooFaint, last - first - count);
     return count;
   }
@@ -120,9 +119,14 @@ class WaveTracer::Branches {
     tracer_.counts_->addEnds(outcome, std::size_t(count));
   }
 
+  /// `count` rays that leave the parents behind the last ray of the table.
+  LeavingRays leaving(int count) const {
+    return {surfaces_, {next_.parent + next_.count, count}, next_, next_.count};
+  }
+
   void addMirrored(int count) {
-    tracer_.kernels_.mirror({surfaces_, {rows_, count}, next_, next_.count});
-    for (int k = 0; k < count; ++k) append(k, before_);
+    tracer_.kernels_.mirror(leaving(count));
+    append(count, before_);
     countRays(RayKind::mirror, count);
   }
 
@@ -133,26 +137,33 @@ class WaveTracer::Branches {
       numbers.before = before_;
       numbers.behind = behind_;
     }
-    const int kept =
-        tracer_.kernels_.refract(numbers, {surfaces_, {rows_, count}, next_, next_.count}, places_);
-    for (int k = 0; k < kept; ++k) append(places_[k], behind_);
+    const int kept = tracer_.kernels_.refract(numbers, leaving(count), places_);
+    for (int k = 0; k < kept; ++k) {
+      const int row = next_.count + k, place = next_.count + places_[k];
+      next_.weight[row] = next_.weight[place];
+      next_.factor[row] = next_.factor[place];
+      next_.parent[row] = next_.parent[place];
+      behind_[k] = behind_[places_[k]];
+    }
+    append(kept, behind_);
     countRays(RayKind::refracted, kept);
     countEnds(Outcome::totalReflection, count - kept);
   }
 
-  /// The ray of place `k` in the list, whose origin and direction are in the table, joins it.
-  /// `indices` of the places are those of the media where their rays go.
-  void append(int k, const double* indices) {
-    const int row = next_.count++, surface = rows_[k];
-    next_.tmin[row] = surfaces_.tmin[surface];
-    next_.tmax[row] = kInfinity;
-    next_.weight[row] = weights_[k];
-    next_.factor[row] = factors_[k];
-    next_.parent[row] = rows_[k];
-    if (next_.index) next_.index[row] = float(indices[k]);
-    if (!next_.source) return;
-    next_.source[row] = generation_.hits.object[surfaces_.ray[surface]];
-    next_.sourceFace[row] = generation_.hits.face[surfaces_.ray[surface]];
+  /// The next `count` rays, which have origin, direction, weight, factor and parent, join the table.
+  /// `indices` are those of the media where they go.
+  void append(int count, const double* indices) {
+    const int first = next_.count;
+    next_.count += count;
+    for (int row = first; row < next_.count; ++row) {
+      const int surface = next_.parent[row];
+      next_.tmin[row] = surfaces_.tmin[surface];
+      next_.tmax[row] = kInfinity;
+      if (next_.index) next_.index[row] = float(indices[row - first]);
+      if (!next_.source) continue;
+      next_.source[row] = generation_.hits.object[surfaces_.ray[surface]];
+      next_.sourceFace[row] = generation_.hits.face[surfaces_.ray[surface]];
+    }
   }
   void countRays(RayKind kind, int count) {
     if (tracer_.counts_ && count > 0) {
@@ -177,11 +188,10 @@ class WaveTracer::Branches {
   const WaveGeneration& generation_;
   WaveSurfaces& surfaces_;
   WaveRays next_;
-  // Of the surfaces at which rays follow.
-  std::uint16_t *rows_, *places_;
-  float* weights_;
-  Vec3f* factors_;
-  double *before_, *behind_;  // indices of refraction
+  // Of the surfaces at which rays follow: indices of refraction, and which rays are not mirrored
+  // totally.
+  double *before_, *behind_;
+  std::uint16_t* places_;
 };
 
 WaveTracer::WaveTracer(const RayTracer& tracer, RayCounts* counts)
@@ -276,7 +286,8 @@ void WaveTracer::shade(const WaveGeneration& generation, WaveHit* met, int count
                        Vec3d* mixtures) {
   if (count == 0) return;
   const Arena::Frame frame(arena_);
-  WaveSurfaces surfaces(generation.rays, generation.hits, met, count, arena_);
+  WaveSurfaces surfaces(generation.rays, met, count, arena_);
+  kernels_.takeSurfaces(generation.rays, generation.hits, surfaces);
   setEpsilons(generation, surfaces);
   setSides(surfaces);
   for (int light = 0; light < tracer_.scene().getNumLights(); ++light) {
