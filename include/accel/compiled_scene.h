@@ -4,7 +4,7 @@
 // From here to the decision of one triangle:
 //   compiled_scene.cpp                      Trees::ask: all rays of a table
 //   asked_objects.cpp                       ObjectTree::ask: what stands alone, then the tree
-//   question.h, question.cpp                askTree: the rays become a Stream
+//   question.h, question.cpp                askTree: the rays become Streams
 //   stream.h                                the walk, the filter, its error bounds
 //   walk_stream.inc, leaf_filters.inc       boxes, then eight triangles at once, in float
 //   nearest_question.cpp, question_walk.h   which candidates are left, and isHit

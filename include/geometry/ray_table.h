@@ -37,8 +37,8 @@ inline void setRowOf(double* const column[3], int row, const Vec3d& v) {
 
 /// Rays, in one space. Row i is ray i.
 struct RayTable {
-  /// The most rows of a table: a tile of 32 x 32 pixels. More share few nodes of a tree that they
-  /// do not share already, and what is known of them leaves the processor's second cache.
+  /// The most rows of a table: a tile of 32 x 32 pixels. What is known of more leaves the
+  /// processor's second cache.
   static constexpr int kMost = 1024;
 
   int count = 0;         ///< of rows

@@ -49,6 +49,7 @@ inline Vector withoutSign(Vector a) { return Vector(Signed(a) & INT64_MAX); }
 //   rootOf, floorOf      the square root; the largest whole number that is not above it
 //   bitsOfTruths         a bit for each lane that holds, lane 0 lowest; truthsOfBits: the way back
 //   packed(a, bits)      the lanes whose bits are set, side by side; behind them stands anything
+//   packRows(rows, bits, out)      the same of half words in memory
 #if defined(RAYTRACER_LANES_AVX512)
 
 // The forms without a mask begin from an undefined vector, of which g++ 12 warns.
@@ -67,6 +68,11 @@ inline Vector floorOf(Vector a) {
 inline unsigned bitsOfTruths(Truths where) { return where; }
 inline Truths truthsOfBits(unsigned bits) { return Truths(bits); }
 inline Vector packed(Vector a, unsigned bits) { return _mm512_maskz_compress_pd(Truths(bits), a); }
+inline void packRows(const std::uint16_t* rows, unsigned bits, std::uint16_t* out) {
+  const __m256i wide = _mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i*)rows));
+  const __m256i taken = _mm256_maskz_compress_epi32(__mmask8(bits), wide);
+  _mm_storeu_si128((__m128i*)out, _mm256_cvtepi32_epi16(taken));
+}
 
 #else
 
@@ -96,6 +102,17 @@ inline Vector packed(Vector a, unsigned bits) {
                                            _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28));
   return Vector(_mm256_permutevar8x32_ps(__m256(a), digits));
 }
+inline void packRows(const std::uint16_t* rows, unsigned bits, std::uint16_t* out) {
+  // For each set of bits the bytes that are taken, the first one lowest.
+  static constexpr std::uint64_t kBytes[16] = {
+      0x0000000000000000, 0x0000000000000100, 0x0000000000000302, 0x0000000003020100,
+      0x0000000000000504, 0x0000000005040100, 0x0000000005040302, 0x0000050403020100,
+      0x0000000000000706, 0x0000000007060100, 0x0000000007060302, 0x0000070603020100,
+      0x0000000007060504, 0x0000070605040100, 0x0000070605040302, 0x0706050403020100};
+  const __m128i bytes = _mm_loadl_epi64((const __m128i*)(kBytes + bits));
+  const __m128i taken = _mm_shuffle_epi8(_mm_loadl_epi64((const __m128i*)rows), bytes);
+  _mm_storel_epi64((__m128i*)out, taken);
+}
 
 #else
 
@@ -123,6 +140,10 @@ inline Vector floorOf(Vector a) {
 }
 inline Truths truthsOfBits(unsigned bits) { return (Truths{1, 2} & std::int64_t(bits)) != 0; }
 inline Vector packed(Vector a, unsigned bits) { return Vector{bits == 2 ? a[1] : a[0], a[1]}; }
+inline void packRows(const std::uint16_t* rows, unsigned bits, std::uint16_t* out) {
+  out[0] = rows[bits == 2 ? 1 : 0];
+  out[1] = rows[1];
+}
 
 #endif
 #endif
@@ -228,29 +249,8 @@ inline double* compress(const Doubles& a, unsigned bits, double* out) {
 
 /// The same of rows[0 .. kDoubles).
 inline std::uint16_t* compressRows(const std::uint16_t* rows, unsigned bits, std::uint16_t* out) {
-#if defined(RAYTRACER_LANES_AVX512)
-  const __m256i wide = _mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i*)rows));
-  const __m256i taken = _mm256_maskz_compress_epi32(__mmask8(bits), wide);
-  _mm_storeu_si128((__m128i*)out, _mm256_cvtepi32_epi16(taken));
+  packRows(rows, bits, out);
   return out + __builtin_popcount(bits);
-#elif defined(RAYTRACER_LANES_AVX2)
-  // For each set of bits the bytes of the rows that are taken, the first one lowest.
-  static constexpr std::uint64_t kBytes[16] = {
-      0x0000000000000000, 0x0000000000000100, 0x0000000000000302, 0x0000000003020100,
-      0x0000000000000504, 0x0000000005040100, 0x0000000005040302, 0x0000050403020100,
-      0x0000000000000706, 0x0000000007060100, 0x0000000007060302, 0x0000070603020100,
-      0x0000000007060504, 0x0000070605040100, 0x0000070605040302, 0x0706050403020100};
-  const __m128i four = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(rows));
-  const __m128i bytes = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kBytes + bits));
-  _mm_storel_epi64(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(four, bytes));
-  return out + __builtin_popcount(bits);
-#else
-  for (int lane = 0; lane < kDoubles; ++lane) {
-    *out = rows[lane];  // overwritten by the next one where it is not taken
-    out += bits >> lane & 1;
-  }
-  return out;
-#endif
 }
 
 #undef RAYTRACER_LANES_AVX512

@@ -6,7 +6,7 @@
 //
 //   askObject   an object of a class that is not known here: by its own function, ray by ray
 //   askShapes   planes and spheres, perhaps under a Transform each: several rays at a time
-//   askTree     the primitives of a tree, perhaps under a Transform: the rays walk it as a stream
+//   askTree     the primitives of a tree, perhaps under a Transform: the rays walk it in streams
 //               (stream.h). Where floats prove that a triangle or sphere is missed, nothing more
 //               happens; each other one becomes a Candidate, which the primitive's own double
 //               function decides
@@ -91,14 +91,16 @@ class Question {
   virtual void walk(const AskedTree& tree, Stream& stream) = 0;
   virtual void askInside(const TreeMember& member, const RowList& rows) = 0;
 
-  /// askTree for rays that walk together.
-  void askStream(const AskedTree& tree, const RowList& rows);
   /// The listed rays as they are inside of a Transform of this inverse, one row for each.
   RayTable movedBy(const Matrix& inverse, const RowList& rows) const;
 
   const Kernels& kernels_;
   const RayTable& rays_;
   Arena& arena_;
+
+ private:
+  /// askTree for a few rays, at least one, that walk together; the tree is not empty.
+  void askStream(const AskedTree& tree, const RowList& rows);
 };
 
 /// Object3D::intersect: lowers tmax to the t of each new hit, and sets its row of `hits`.

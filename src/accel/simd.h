@@ -289,10 +289,11 @@ inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* mas
 
 #endif
 
-/// kColumns columns of kCount numbers, one behind the other, become kCount rows; kColumns is a
-/// multiple of four.
+/// kColumns columns of kCount numbers, one behind the other, become rows: number i of each goes to
+/// rows[i], where these are the same the last of them.
 template <int kCount, int kColumns>
 inline void transpose(const float* columns, void* const* rows) {
+  static_assert(kColumns % 4 == 0);
   for (int k = 0; k < kColumns; k += 4) {
     const float* const four = columns + k * kCount;
 #if defined(__SSE2__)

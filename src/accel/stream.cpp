@@ -31,6 +31,7 @@ Stream::Stream(const WideBvh& tree, const Matrix* moves, const RayTable& table, 
       list(rows),
       inverse(moves),
       count(0),
+      octantCount{},
       outsideEnd(0),
       candidateCount(0),
       nodesVisited(0),
@@ -43,11 +44,12 @@ Stream::Stream(const WideBvh& tree, const Matrix* moves, const RayTable& table, 
   boxRays = arena.take<BoxRay>(most + 1);
   primitiveRays = arena.take<PrimitiveRay>(most + 1);
   maps = arena.take<ParameterMap>(most + 1);
+  // To add to a list, and to read it, runs over its end by less than eight.
+  octantRoom = std::uint32_t(most) + 8;
   // A visited node, or frame, leaves at most seven entries behind, besides the one that is visited
   // next; each of its boxes may have a list of its own, at most as long as that of the node.
   const auto levels = std::size_t(tree.levels);
   stack = arena.take<StreamEntry>(levels * (kWidth - 1) + 2);
-  octantRoom = std::uint32_t(most) + 8;
   pool = arena.take<std::uint16_t>(8 * octantRoom + levels * kWidth * most + 16);
   masks = arena.take<std::uint8_t>(most + 16);
   outside = arena.take<OutsideRay>(std::size_t(tree.frameLevels) * most);

@@ -135,7 +135,7 @@ struct Stream {
   RowList list;           ///< the rows that are asked
   const Matrix* inverse;  ///< of the Transform that the tree stands under; null where of none
 
-  // The rays of the list that meet the tree's box. There is room for one more.
+  // The rays of the list that meet the tree's box, none as yet. There is room for one more.
   int count;
   std::uint32_t octantCount[8];  ///< of those whose direction lies in octant o
   std::uint32_t octantRoom;      ///< their list is at o times this in the pool

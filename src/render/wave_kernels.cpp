@@ -84,9 +84,10 @@ inline void reflect(const PhongNumbers& material, const WaveLight& light, const 
 
 inline void mirror(const LeavingRays& leaving) {
   const WaveSurfaces& surfaces = leaving.surfaces;
-  for (int first = 0; first < leaving.list.count; first += kDoubles) {
-    const SomeRows some(leaving.list, first);
-    const int row = leaving.first + first;
+  const RowList parents = leaving.parents();
+  for (int first = 0; first < parents.count; first += kDoubles) {
+    const SomeRows some(parents, first);
+    const int row = leaving.first() + first;
     store(some.gather(surfaces.point), leaving.rays.origin, row);
     store(mirrorDirection(some.gather(surfaces.normal), some.gather(surfaces.view)),
           leaving.rays.direction, row);
@@ -97,8 +98,9 @@ inline int refract(const RefractionNumbers& material, const LeavingRays& leaving
                    std::uint16_t* places) {
   const WaveSurfaces& surfaces = leaving.surfaces;
   int kept = 0;
-  for (int first = 0; first < leaving.list.count; first += kDoubles) {
-    const SomeRows some(leaving.list, first);
+  const RowList parents = leaving.parents();
+  for (int first = 0; first < parents.count; first += kDoubles) {
+    const SomeRows some(parents, first);
     const DoubleVector incoming = some.gather(surfaces.view);
     const DoubleVector outwards = some.gather(surfaces.normal);
     const Mask isEntering = dot(outwards, incoming) < 0;
@@ -116,9 +118,9 @@ inline int refract(const RefractionNumbers& material, const LeavingRays& leaving
       direction = choose(isStraight, incoming, direction);
       isSent = isSent | isStraight;
     }
-    unsigned bits = isSent.bits() & lanesOf(leaving.list.count - first);
-    compressRow(some.gather(surfaces.point), bits, leaving.rays.origin, leaving.first + kept);
-    compressRow(direction, bits, leaving.rays.direction, leaving.first + kept);
+    unsigned bits = isSent.bits() & lanesOf(parents.count - first);
+    compressRow(some.gather(surfaces.point), bits, leaving.rays.origin, leaving.first() + kept);
+    compressRow(direction, bits, leaving.rays.direction, leaving.first() + kept);
     for (; bits != 0; bits &= bits - 1) {
       places[kept++] = std::uint16_t(first + __builtin_ctz(bits));
     }
@@ -135,6 +137,8 @@ inline void absorb(const ColorFilterTable& filters) {
   }
 }
 
-WaveKernels waveKernels() { return {eyeRays, takeSurfaces, sampleLight, reflect, mirror, refract, absorb}; }
+WaveKernels waveKernels() {
+  return {eyeRays, takeSurfaces, sampleLight, reflect, mirror, refract, absorb};
+}
 
 }  // namespace INSTRUCTION_SET

@@ -41,16 +41,19 @@ bool toNumbers(const Material& material, PhongNumbers& numbers);
 struct RefractionNumbers {
   bool keepsStraight;  ///< between equal indices the ray goes straight on, to the last bit
   double index;        ///< of the material; 1 is that of the other side
-  /// Indices before and behind each place in the list, where they are others; else null.
+  /// Indices before and behind each surface of the rays, where they are others; else null.
   const double *before, *behind;
 };
 
-/// The rays that continue at some surfaces of a table: row `first` of `rays` and those behind it.
+/// Rays that continue at some surfaces, `count` rows behind the last of a table: their parents are
+/// known there.
 struct LeavingRays {
   const WaveSurfaces& surfaces;
-  RowList list;
-  const RayTable& rays;
-  int first;
+  const WaveRays& rays;
+  int count;
+
+  int first() const { return rays.count; }
+  RowList parents() const { return {rays.parent + first(), count}; }
 };
 
 struct WaveKernels {
@@ -59,15 +62,16 @@ struct WaveKernels {
                   const RayTable& rays);
   /// Fills in view, point and normal of the surfaces, and sums of 0.
   void (*takeSurfaces)(const RayTable& rays, const HitTable& hits, const WaveSurfaces& surfaces);
-  /// Fills `light` with the rays from surfaces that are turned towards it, or from all.
+  /// Fills `light` with the rays from surfaces that are turned towards it, or from all; but for
+  /// their sources.
   void (*sampleLight)(const LightNumbers& numbers, const WaveSurfaces& surfaces, WaveLight& light);
   /// Adds to the surfaces, all of one material, what they send back of the listed light.
   void (*reflect)(const PhongNumbers& material, const WaveLight& light, const RowList& list,
                   const WaveSurfaces& surfaces);
   /// Stores origin and direction of the mirrored rays.
   void (*mirror)(const LeavingRays& leaving);
-  /// The same for refracted rays but those that are totally reflected: stores for each its place
-  /// in the list, and returns how many there are.
+  /// The same for refracted rays but those that are totally reflected, side by side: stores for
+  /// each which of the rows it was, 0 for the first, and returns how many there are.
   int (*refract)(const RefractionNumbers& material, const LeavingRays& leaving,
                  std::uint16_t* places);
   /// Each filter's colour becomes its tint, ColorFilter::tint.

@@ -67,8 +67,8 @@ struct WaveSurfaces {
   float* weight;      ///< of the colour in the pixel
   double* sum[3];     ///< the colour so far, but for Interface::tint
 
-  /// Sorts `count` hits, whose places it sets. `view`, `point`, `normal`, `tmin` and `sum` are still
-  /// to be filled; `lit` is `normal`.
+  /// Sorts `count` hits, whose places it sets. `view`, `point`, `normal`, `tmin` and `sum` are
+  /// still to be filled; `lit` is `normal`.
   WaveSurfaces(const WaveRays& rays, WaveHit* met, int count, Arena& arena);
 
   void add(int row, const Vec3d& color) const {

@@ -65,8 +65,8 @@ class WaveTracer::Branches {
   }
   int capacity() const { return std::min(2 * surfaces_.count, RayTable::kMost); }
 
-  /// Makes those of [first, last) at which a ray follows parents in the table, behind its rays, with
-  /// weight and factor, and returns their number.
+  /// Makes those of [first, last) at which a ray follows parents in the table, behind its rays,
+  /// with weight and factor, and returns their number.
   int follow(RayKind kind, const Material& material, int first, int last) {
     const Shader& shader = tracer_.tracer_.shader();
     if (!generation_.interfaces && !shader.areFactorsAngular()) {
@@ -78,12 +78,13 @@ class WaveTracer::Branches {
       Interface interface = generation_.interfaceOf(surfaces_.ray[k], approach);
       if (next_.index) interface.before = {false, generation_.rays.indexOf(surfaces_.ray[k])};
       const Vec3f factor = shader.factorOf(kind, material, interface, approach);
+      const int row = next_.count + count;
       const Outcome outcome = shader.outcomeOf(generation_.bounces, surfaces_.weight[k], factor,
-                                               interface.tint, next_.weight[next_.count + count]);
+                                               interface.tint, next_.weight[row]);
       countEnds(outcome, 1);
       if (outcome != Outcome::follows) continue;
-      next_.parent[next_.count + count] = std::uint16_t(k);
-      next_.factor[next_.count + count] = factor;
+      next_.parent[row] = std::uint16_t(k);
+      next_.factor[row] = factor;
       before_[count] = double(interface.before.indexAt(material));
       behind_[count++] = double(interface.behind.indexAt(material));
     }
@@ -119,13 +120,8 @@ class WaveTracer::Branches {
     tracer_.counts_->addEnds(outcome, std::size_t(count));
   }
 
-  /// `count` rays that leave the parents behind the last ray of the table.
-  LeavingRays leaving(int count) const {
-    return {surfaces_, {next_.parent + next_.count, count}, next_, next_.count};
-  }
-
   void addMirrored(int count) {
-    tracer_.kernels_.mirror(leaving(count));
+    tracer_.kernels_.mirror({surfaces_, next_, count});
     append(count, before_);
     countRays(RayKind::mirror, count);
   }
@@ -137,21 +133,21 @@ class WaveTracer::Branches {
       numbers.before = before_;
       numbers.behind = behind_;
     }
-    const int kept = tracer_.kernels_.refract(numbers, leaving(count), places_);
+    const int kept = tracer_.kernels_.refract(numbers, {surfaces_, next_, count}, places_);
     for (int k = 0; k < kept; ++k) {
       const int row = next_.count + k, place = next_.count + places_[k];
       next_.weight[row] = next_.weight[place];
       next_.factor[row] = next_.factor[place];
       next_.parent[row] = next_.parent[place];
-      behind_[k] = behind_[places_[k]];
+      if (next_.index) behind_[k] = behind_[places_[k]];
     }
     append(kept, behind_);
     countRays(RayKind::refracted, kept);
     countEnds(Outcome::totalReflection, count - kept);
   }
 
-  /// The next `count` rays, which have origin, direction, weight, factor and parent, join the table.
-  /// `indices` are those of the media where they go.
+  /// The next `count` rays, which have origin, direction, weight, factor and parent, join the
+  /// table. `indices` are those of the media where they go.
   void append(int count, const double* indices) {
     const int first = next_.count;
     next_.count += count;
