@@ -11,17 +11,6 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-float ParameterMap::below(double t) const {
-  double least, most;
-  boundsOf(t, scale, shift, least, most);
-  return float(least);
-}
-float ParameterMap::above(double t) const {
-  double least, most;
-  boundsOf(t, scale, shift, least, most);
-  return float(most);
-}
-
 Stream::Stream(const WideBvh& tree, const Matrix* moves, const RayTable& table, const RowList& rows,
                Arena& arena)
     : bvh(&tree),
@@ -73,9 +62,10 @@ void Stream::leaveFrame(const std::uint16_t* inside, int size) {
 void Stream::lowerBound(int ray, double t) {
   // In the plane of a triangle its double function may give any t, even one before the tree; then
   // others at the same t must not drop out.
-  const float most = std::max(maps[ray].above(t), 0.0f);
-  boxRays[ray].tmaxUp = std::min(boxRays[ray].tmaxUp, most);
-  primitiveRays[ray].tmaxDown = std::min(primitiveRays[ray].tmaxDown, maps[ray].below(t));
+  double below, above;
+  boundsOf(t, maps[ray].scale, maps[ray].shift, below, above);
+  boxRays[ray].tmaxUp = std::min(boxRays[ray].tmaxUp, std::max(float(above), 0.0f));
+  primitiveRays[ray].tmaxDown = std::min(primitiveRays[ray].tmaxDown, float(below));
 }
 
 void Stream::end(int ray) { boxRays[ray].tmaxUp = -kInfinity; }

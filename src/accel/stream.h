@@ -67,10 +67,6 @@ void boundsOf(const Number& t, const Number& scale, const Number& shift, Number&
 /// How a ray's own t and the tree's t' belong together: t' = t * scale - shift.
 struct ParameterMap {
   double scale, shift;
-
-  /// Floats surely not above, and surely not below, the t' of t.
-  float below(double t) const;
-  float above(double t) const;
 };
 
 /// What the boxes of nodes are tested against: t' = plane * reciprocal + offset, widened so that

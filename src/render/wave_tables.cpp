@@ -53,7 +53,7 @@ WaveSurfaces::WaveSurfaces(const WaveRays& rays, WaveHit* met, int rows, Arena& 
   std::copy(normal, normal + 3, lit);
   const Arena::Frame frame(arena);
   auto* groupOf = arena.take<std::uint16_t>(size);
-  sort(met, groupOf);
+  makeGroups(met, groupOf);
   // Neighbours are mostly of one group: its end is kept while they are.
   for (int k = 0; k < count;) {
     MaterialGroup& group = groups[groupOf[k]];
@@ -70,7 +70,7 @@ WaveSurfaces::WaveSurfaces(const WaveRays& rays, WaveHit* met, int rows, Arena& 
 }
 
 /// Makes the groups, still empty where their surfaces will stand, and finds which each hit is of.
-void WaveSurfaces::sort(const WaveHit* met, std::uint16_t* groupOf) {
+void WaveSurfaces::makeGroups(const WaveHit* met, std::uint16_t* groupOf) {
   // The group that a material of such a number began last. Where two have the same bits, each may
   // have several groups.
   std::uint16_t latest[256] = {};

@@ -76,7 +76,7 @@ struct WaveSurfaces {
   }
 
  private:
-  void sort(const WaveHit* met, std::uint16_t* groupOf);
+  void makeGroups(const WaveHit* met, std::uint16_t* groupOf);
 };
 
 /// The shadow rays to one light, from the surfaces that are turned towards it, and what arrives.
