@@ -223,8 +223,8 @@ std::vector<ArgumentRow> readRows() {
       line.erase(0, end);
     }
     std::string& help = rows.back().help;
-    std::istringstream words(line);
-    for (std::string word; words >> word;) help += (help.empty() ? "" : " ") + word;
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin != std::string::npos) help += (help.empty() ? "" : " ") + line.substr(begin);
   }
   return rows;
 }
