@@ -1,14 +1,13 @@
 // Arena: memory for one thread's tables, taken and given back like a stack.
 #pragma once
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 #include <vector>
 
 #include "system/memory.h"
 
 /// Hands out memory by moving an end forward; a Frame moves it back. What it once had from the
-/// heap it keeps, so that tables which are needed again and again cost no allocation.
+/// system it keeps, so that tables which are needed again and again cost no allocation.
 /// Not copyable; for one thread at a time.
 class Arena {
  public:
@@ -43,18 +42,9 @@ class Arena {
   };
 
  private:
-  struct alignas(kAlignment) Line {
-    // cppcheck-suppress uninitMemberVar
-    Line() {}  // defaulted, it would be cleared: 1.04 to 1.09 of a small picture's instructions
-    unsigned char bytes[kAlignment];
-  };
-  struct Block {
-    std::unique_ptr<Line[]> lines;
-    std::size_t size;  // in bytes
-
-    unsigned char* begin() const { return reinterpret_cast<unsigned char*>(lines.get()); }
-    unsigned char* end() const { return begin() + size; }
-  };
+  unsigned char* beginOf(std::size_t block) {
+    return static_cast<unsigned char*>(blocks_[block].data());
+  }
   void* takeBytes(std::size_t bytes) {
     bytes = roundedUp(bytes, kAlignment);
     if (bytes > std::size_t(end_ - next_)) findRoom(bytes);
@@ -66,11 +56,11 @@ class Arena {
   void goTo(std::size_t block, unsigned char* next) {
     // Before the first block there is nothing to go back to but the first one.
     block_ = block;
-    next_ = next || blocks_.empty() ? next : blocks_[block].begin();
-    end_ = blocks_.empty() ? next : blocks_[block].end();
+    next_ = next || blocks_.empty() ? next : beginOf(block);
+    end_ = blocks_.empty() ? next : beginOf(block) + blocks_[block].size();
   }
 
-  std::vector<Block> blocks_;
+  std::vector<PageBuffer> blocks_;
   std::size_t block_ = 0;                           // the one in use; those before it are full
   unsigned char *next_ = nullptr, *end_ = nullptr;  // what is free of it
 };
