@@ -199,33 +199,9 @@ struct Places8 {
 
 #endif
 
-// Compaction. MaskWriter stores masks of a byte, one behind the other, and compress reads them: of
-// list[0 .. count) those whose mask has bit `bit`, in order, go to `out`; returns how many. Both
-// read and write up to a multiple of eight.
+// compress: of list[0 .. count) those whose mask has bit `bit`, in order, go to `out`; returns how
+// many. Reads and writes up to a multiple of eight.
 #if defined(__AVX2__)
-
-/// Stores eight at once, as they are read. A load of bytes that were stored one by one waits until
-/// all have reached the cache: 1.04 of the time of tracing.
-class MaskWriter {
- public:
-  explicit MaskWriter(std::uint8_t* to) : to_(to) {}
-  void add(unsigned mask) {
-    eight_ = eight_ >> 8 | std::uint64_t(mask) << 56;
-    if (++count_ % 8 == 0) __builtin_memcpy(to_ + count_ - 8, &eight_, 8);
-  }
-  /// To be called behind the last one.
-  void finish() {
-    const unsigned left = count_ % 8;
-    if (left == 0) return;
-    eight_ >>= 64 - 8 * left;
-    __builtin_memcpy(to_ + count_ - left, &eight_, 8);
-  }
-
- private:
-  std::uint8_t* const to_;
-  std::uint64_t eight_ = 0;  // those not stored yet, from the highest byte down
-  unsigned count_ = 0;
-};
 
 /// For each mask of eight entries of two bytes, which bytes are taken.
 struct CompressTable {
@@ -266,16 +242,6 @@ inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* mas
 }
 
 #else
-
-class MaskWriter {
- public:
-  explicit MaskWriter(std::uint8_t* to) : to_(to) {}
-  void add(unsigned mask) { *to_++ = std::uint8_t(mask); }
-  void finish() {}
-
- private:
-  std::uint8_t* to_;
-};
 
 inline std::uint32_t compress(const std::uint16_t* list, const std::uint8_t* masks,
                               std::uint32_t count, int bit, std::uint16_t* out) {
