@@ -28,10 +28,12 @@ struct TgaPart {
   std::string id;
 };
 
+/// Throws OutputError for a TGA of a side of more than 65535 pixels, and for a BMP of more than
+/// 2^30 pixels: writePicture could not write it.
+void checkPictureSize(const std::string& path, PictureFormat format, int width, int height);
 /// Writes the picture by OutputFile in formatOf(path, unnamed), where the ending is unknown as a
 /// TGA. A PFM of it has each byte over 255; `part` is for a TGA only. A PNG is compressed by
-/// `threads` >= 1 threads at most. Throws OutputError, also for a TGA of a side of more than 65535
-/// pixels, and for a BMP of more than 2^30 pixels.
+/// `threads` >= 1 threads at most. Throws OutputError, also where checkPictureSize does.
 void writePicture(const Image& image, const std::string& path, int threads = 1,
                   const TgaPart& part = {}, PictureFormat unnamed = PictureFormat::tga);
 /// Writes a PFM, whatever the ending. Throws OutputError.

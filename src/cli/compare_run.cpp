@@ -146,9 +146,16 @@ void comparePictures(const ReadPicture& expected, const ReadPicture& actual,
 /// is null. Where a file cannot be read the pair is unreadable and says why.
 void comparePair(const CompareRequest& request, const ReadPicture* rendered, ComparedPair& pair) {
   if (pair.isAtFault()) return;
+  // A pipe that is named may be meant; one that lies in a folder would be waited for in vain.
+  const bool isNamed = !isFolder(request.expected);
+  const auto readFile = [isNamed](const std::string& path) {
+    std::error_code ignored;
+    if (isNamed || !fs::is_fifo(path, ignored)) return read(path);
+    throw ImageError(path, "expected a file, found a pipe");
+  };
   const std::string fault = attempt("to compare " + pair.name, [&] {
-    const ReadPicture expected = read(pair.expected);
-    const ReadPicture actual = rendered ? ReadPicture() : read(pair.actual);
+    const ReadPicture expected = readFile(pair.expected);
+    const ReadPicture actual = rendered ? ReadPicture() : readFile(pair.actual);
     comparePictures(expected, rendered ? *rendered : actual, request, pair);
   });
   if (fault.empty()) return;

@@ -793,8 +793,9 @@ works with parts; -render_samples and -render_filter do not.
 A part is a TGA that any viewer shows; its header's origin fields hold X and Y,
 and its image ID the kind of picture, the whole size, and a fingerprint of the
 scene, its meshes and pictures and all arguments that may change a pixel, as
-they were given: -bounces 5 is another picture than no -bounces. Parts in other
-formats are plain pictures, which cannot be merged.
+they were given: -bounces 5 is another picture than no -bounces (of -grid only
+where its cells are drawn). Parts in other formats are plain pictures, which
+cannot be merged.
 
 MERGING
 -merge writes the plain image that a single run would have written, in the
@@ -841,9 +842,10 @@ cancelled, ...), merge.log names the rows. Then tile 33, for example, again:
 keeps the tiles of all images but that of -heatmap in out.checkpoint, each as
 soon as it is finished. Whatever ends the run (SIGINT, SIGTERM, SIGKILL, ...),
 the same command takes up from there and ends with the same bytes as a run that
-was never ended; then the file is removed. -threads, -simd, -accel and the names
-of the images (with the same endings) may be others. An end loses the tiles in
-work; a power failure what the system had not written yet, some half minute.
+was never ended; then the file is removed. -threads, -simd, -accel, -grid and
+the names of the images (with the same endings) may be others. An end loses the
+tiles in work; a power failure what the system had not written yet, some half
+minute.
 
 A file of another scene, other meshes, pictures, arguments or another version of
 the program is refused with status 2, and so is what is no checkpoint; both stay
@@ -925,18 +927,19 @@ for: those that are too short for them, and PNG files that would take more than
 )topic"),
 
     topic("limits", "how much of everything; memory; epsilon", R"(
-  Groups and Transforms    1000 deep inside each other
+  Groups and Transforms    1000 deep inside each other, as are 2020's Nodes
   -bounces                 0 to 10000; -threads 1 to 1024
   -grid                    1 to 1024 cells along an axis, 2^24 in all
-  images                   1 to 65535 pixels wide and high, enlarged ones too
+  images                   1 to 65535 pixels wide and high, enlarged ones too;
+                           a BMP 2^30 pixels in all
   samples in a pixel       1 to 65536; -adaptive_samples begins with 1 to 256
   filters                  reach up to 32 pixels
   meshes                   2^32 - 1 vertices and as many triangles; vertices
                            are kept in single precision, all else in double;
                            those of a mesh more than 16 times its size from 0
                            as offsets from a place amid it
-  a device as input        64 MB; a pipe with a picture to compare 1 GB; files
-                           are bound by memory alone
+  a device as input        64 MB; a pipe with a picture to compare 1 GB, none
+                           in a folder; files are bound by memory alone
   a damaged -checkpoint    what follows 64 MB of damage is not looked for
   a path to a mesh         4096 bytes
   -check                   100 mistakes

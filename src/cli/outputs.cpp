@@ -147,9 +147,18 @@ std::vector<Output> outputsOf(const RenderRequest& render) {
   return outputs;
 }
 
-/// Nothing is written or created for that.
-std::size_t markUnwritable(std::vector<Output>& outputs) {
-  return attemptEach(outputs, [](const Output& output) { checkOutput(output.file); });
+/// Nothing is written or created for that. A picture that is too large for its format is told now,
+/// and not when hours of tracing are over.
+std::size_t markUnwritable(std::vector<Output>& outputs, const PictureRequest& picture) {
+  return attemptEach(outputs, [&picture](const Output& output) {
+    const bool isWhole = output.kind == Kind::filter;
+    if (output.kind != Kind::rays && !wantsFloats(output)) {
+      checkPictureSize(output.file, output.format,
+                       (isWhole ? picture.width : picture.area.width()) * output.zoom,
+                       (isWhole ? picture.height : picture.area.height()) * output.zoom);
+    }
+    checkOutput(output.file);
+  });
 }
 
 /// The window counts from the lower left corner, as the camera does.

@@ -41,7 +41,7 @@ struct Output : OutputRequest {
 std::vector<Output> outputsOf(const RenderRequest& render);
 
 /// Marks those whose files cannot be written, complaining of each, and returns how many can.
-std::size_t markUnwritable(std::vector<Output>& outputs);
+std::size_t markUnwritable(std::vector<Output>& outputs, const PictureRequest& picture);
 
 /// Gives every output a black image of its size (that of a part where one is wanted), and draws
 /// that of the filter. Returns those that the renderer fills; it points into `outputs`. Throws

@@ -49,10 +49,15 @@ void addPictures(const ResultRequest& results, Sha256& hash) {
   if (results.find(Kind::materials)) addText("materials", hash);
 }
 
-/// In the order in which they were given: of two filters or patterns the last one holds.
+/// In the order in which they were given: of two filters or patterns the last one holds. A grid
+/// changes pixels only where its cells are drawn.
 void addArguments(const std::vector<GivenArgument>& arguments, Sha256& hash) {
+  const bool drawsCells =
+      std::any_of(arguments.begin(), arguments.end(), [](const GivenArgument& given) {
+        return given.name == "visualize_grid" || given.name == "visualize_grid_count";
+      });
   for (const GivenArgument& given : arguments) {
-    if (!actionOf(given.name).changesPixels) continue;
+    if (!actionOf(given.name).changesPixels || (given.name == "grid" && !drawsCells)) continue;
     addText(given.name, hash);
     hash.addNumber(given.words.size());
     for (const std::string& word : given.words) addText(word, hash);

@@ -55,7 +55,7 @@ class RenderRun {
   /// Finds out which outputs can be written, complaining of the others; false where none can that
   /// is wanted.
   bool prepareOutputs() {
-    if (markUnwritable(outputs_) == 0 && !outputs_.empty()) return false;
+    if (markUnwritable(outputs_, request_.picture) == 0 && !outputs_.empty()) return false;
     // A checkpoint needs them all: its tiles hold the pixels of every picture, for the run that can
     // write them again.
     if (run_.checkpoint.empty()) {

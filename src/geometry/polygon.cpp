@@ -68,20 +68,23 @@ int turn(const Point& a, const Point& b, const Point& c) {
 }
 
 /// The corners without the coordinate in which their normal is largest, as a view from the side
-/// from which they turn to the left. Empty where the polygon has no area.
+/// from which they turn to the left. Where the normal is 0, as both halves of a bow tie may have
+/// the same area, from any side that shows an area, and `hasArea` is false; empty where none does.
 /// Source of the normal: Newell, in Sutherland, Sproull and Schumacker, "A Characterization of Ten
 /// Hidden-Surface Algorithms", 1974.
-std::vector<Point> projected(const std::vector<Vec3f>& corners) {
-  Vec3d normal;
+std::vector<Point> projected(const std::vector<Vec3f>& corners, bool& hasArea) {
+  Vec3d normal, sizes;
   const Vec3d origin(corners[0]);
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vec3d a = Vec3d(corners[k]) - origin,
                 b = Vec3d(corners[(k + 1) % corners.size()]) - origin;
     normal += cross(a, b);
+    sizes += absolute(cross(a, b));
   }
-  const int axis = longestAxis(normal);
+  hasArea = normal != Vec3d();
+  const int axis = longestAxis(hasArea ? normal : sizes);
   std::vector<Point> points;
-  if (normal[axis] == 0) return points;
+  if (sizes[axis] == 0) return points;
   int first = (axis + 1) % 3, second = (axis + 2) % 3;
   if (normal[axis] < 0) std::swap(first, second);
   for (const Vec3f& corner : corners) points.push_back({corner[first], corner[second]});
@@ -274,11 +277,12 @@ class EarCutter {
 OutlineShape cutOutline(const std::vector<Vec3f>& corners,
                         std::vector<OutlineTriangle>& triangles) {
   triangles.clear();
-  std::vector<Point> points = projected(corners);
+  bool hasArea;
+  std::vector<Point> points = projected(corners, hasArea);
   if (points.empty() || isConvex(withoutRepeats(points))) return OutlineShape::convex;
-  if (crossesItself(points) || !EarCutter(std::move(points), triangles).cutAll()) {
-    triangles.clear();
-    return OutlineShape::crossing;
-  }
-  return OutlineShape::concave;
+  if (crossesItself(points)) return OutlineShape::crossing;
+  if (!hasArea) return OutlineShape::convex;
+  if (EarCutter(std::move(points), triangles).cutAll()) return OutlineShape::concave;
+  triangles.clear();
+  return OutlineShape::crossing;
 }

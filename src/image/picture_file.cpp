@@ -95,11 +95,8 @@ std::optional<PictureFormat> formatOf(const std::string& path, PictureFormat unn
   return PictureFormat(found - std::begin(kPictureEndings));
 }
 
-void writePicture(const Image& image, const std::string& path, int threads, const TgaPart& part,
-                  PictureFormat unnamed) {
-  const PictureFormat format = formatOf(path, unnamed).value_or(PictureFormat::tga);
-  const int width = image.Width(), height = image.Height();
-  // TGA has 16 bits for each side. Told before the file is opened, which stays as it is.
+/// TGA has 16 bits for each side.
+void checkPictureSize(const std::string& path, PictureFormat format, int width, int height) {
   const std::string size =
       ", this one is " + std::to_string(width) + " x " + std::to_string(height);
   if (format == PictureFormat::tga && std::max(width, height) > 65535) {
@@ -108,6 +105,13 @@ void writePicture(const Image& image, const std::string& path, int threads, cons
   if (format == PictureFormat::bmp && double(width) * height > 0x1p30) {
     throw OutputError(path, "a BMP image has at most 2^30 pixels here" + size);
   }
+}
+
+/// A size that is too large is told before the file is opened, which stays as it is.
+void writePicture(const Image& image, const std::string& path, int threads, const TgaPart& part,
+                  PictureFormat unnamed) {
+  const PictureFormat format = formatOf(path, unnamed).value_or(PictureFormat::tga);
+  checkPictureSize(path, format, image.Width(), image.Height());
   write(path, [&](const Sink& sink) { encode(image, format, threads, part, sink); });
 }
 

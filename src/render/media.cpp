@@ -53,7 +53,8 @@ void Media::addStays(CrossingPlace first, CrossingPlace last) {
   if (count != 0) stays_.push_back({medium, -kInf, to});
 }
 
-/// By priority, then by rank, which takes longer to find out. What is the same to the eye may come
+/// By priority, then by rank, which takes longer to find out. Two textures may look different where
+/// all this is equal: the first of the scene's materials is taken. Objects of one material may come
 /// in any order, which no picture can show.
 bool Media::isStronger(const Stay& a, const Stay& b) const {
   const auto rankOf = [this](const Stay& stay) {
@@ -61,7 +62,7 @@ bool Media::isStronger(const Stay& a, const Stay& b) const {
     const Vec3f color = material->getTransparentColor();
     return std::make_tuple(solids_ ? solids_->volumeOf(object) : kInf, stay.to, -stay.from,
                            material->getIndexOfRefraction(), color.r(), color.g(), color.b(),
-                           reinterpret_cast<std::uintptr_t>(object));
+                           material->getNumber(), reinterpret_cast<std::uintptr_t>(object));
   };
   const int priorityA = a.medium.material->getPriority();
   const int priorityB = b.medium.material->getPriority();

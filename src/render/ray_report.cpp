@@ -131,8 +131,9 @@ class RayReport : public RayObserver {
   std::string answerOf(const ShadowQuery* shadowRay, const Vec3f& visible) const {
     if (!shadowRay) return "no shadow ray";
     if (visible == Vec3f(1, 1, 1)) return "nothing in the way";
+    // Asked of the scene itself: of several in one place, the first there is named.
     const auto blocker =
-        findBlocker(tracer_.geometry(), *shadowRay, tracer_.options().transparentShadows);
+        findBlocker(*tracer_.scene().getGroup(), *shadowRay, tracer_.options().transparentShadows);
     if (visible != Vec3f() || !blocker) return "tinted by " + textOf(visible);
     return "blocked by " + nameOf(blocker->object, blocker->face) + ", at t " + textOf(blocker->t);
   }

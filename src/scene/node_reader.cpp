@@ -18,7 +18,7 @@ NodeReader::NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader&
 /// What the node changes for those in it, its Transform and material, is undone behind it.
 const Object3D* NodeReader::read() {
   const std::string_view owner = in_.word();
-  if (depth_ == ObjectReader::kMaxNesting) {
+  if (depth_ > ObjectReader::kMaxNesting) {  // the Scene itself is one more
     in_.report(in_.at(), "expected Nodes at most " + std::to_string(ObjectReader::kMaxNesting) +
                              " deep inside each other, found another");
     in_.skipWordAndBlock();

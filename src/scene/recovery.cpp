@@ -31,15 +31,18 @@ Languages languagesOf(std::string_view word) {
   return languages;
 }
 
-/// "shininess is a word of 2012, 2016 and thu: add -course 2012" for a word of other languages.
+/// "falloff is a word of 2012 and 2016: add -course 2012 or -course 2016" for a word of other
+/// languages: each reads some of them in its own way.
 std::string otherCourses(std::string_view word, Languages languages, Language language) {
   if (languages == 0 || isIn(languages, language)) return {};
   std::vector<std::string_view> names;
+  std::string options;
   for (const auto& [other, name] : kLanguageNames) {
-    if (isIn(languages, other)) names.push_back(name);
+    if (!isIn(languages, other)) continue;
+    names.push_back(name);
+    options += (options.empty() ? "-course " : " or -course ") + std::string(name);
   }
-  return std::string(word) + " is a word of " + listed(names, "and") + ": add -course " +
-         std::string(names[0]);
+  return std::string(word) + " is a word of " + listed(names, "and") + ": add " + options;
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // -compare as a user meets it: pictures, folders, tables of commands, and what is written.
+#include <sys/stat.h>
+
 #include <algorithm>
 
 #include "check.h"
@@ -140,6 +142,10 @@ TEST("folders are compared picture by picture, whatever their endings, and what 
   desk.write("a/three.tga", "broken");
   CHECK_EQUAL(desk.status("e a"), 3);
   checkContains(desk.run("e a").errors, "a/three.tga: ");
+  // A pipe in a folder has nobody who writes to it.
+  desk.put("e/pipe.tga", greys(0, 0));
+  CHECK_EQUAL(mkfifo(desk.file("a/pipe.tga").c_str(), 0600), 0);
+  checkContains(desk.run("e a").errors, "a/pipe.tga: expected a file, found a pipe");
   std::filesystem::create_directory(desk.file("empty"));
   CHECK_EQUAL(desk.status("empty empty"), 3);
 }

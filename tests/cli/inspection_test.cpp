@@ -94,6 +94,27 @@ TEST("Y counts from the top") {
       contains(desk.run("-input floor.txt -quiet -pixel 50 97").output, "hits Group 1 > Plane 1"));
 }
 
+TEST("of several blockers in one place the first of the scene is named") {
+  // Three meshes in one place, between a triangle and the sun.
+  const Desk desk;
+  desk.write("t.obj", "v 0 2 0\nv 4 2 0\nv 0 2 4\nf 1 2 3\n");
+  const std::string mesh = "TriangleMesh { obj_file t.obj } ";
+  desk.write("s.txt",
+             "PerspectiveCamera { center 1 1 1 direction 0 -1 0 up 0 0 1 angle 10 }\n"
+             "Lights { numLights 1 DirectionalLight { direction 0 -1 0 color 1 1 1 } }\n"
+             "Materials { numMaterials 1 PhongMaterial { } }\n"
+             "Group { numObjects 4 MaterialIndex 0\n"
+             "Triangle { vertex0 -9 0 -9 vertex1 0 0 19 vertex2 19 0 -9 }\n" +
+                 mesh + mesh + mesh + "}\n");
+  for (const char* const way : {"", " -accel tree", " -grid 4 4 4"}) {
+    for (const char* const shadows : {"-shadows", "-transparent_shadows"}) {
+      const std::string report =
+          desk.run(std::string("-input s.txt -size 1 1 -pixel 0 0 ") + shadows + way).output;
+      CHECK(contains(report, "blocked by Group 1 > TriangleMesh 2, "));
+    }
+  }
+}
+
 TEST("the rays of a pixel, the materials and the heat map are files of their own") {
   const Desk desk;
   const check::ProgramRun run = desk.run(

@@ -62,6 +62,18 @@ TEST("tiles of any number, merged in any order, are the whole picture") {
   }
 }
 
+TEST("a part may be found through a grid, which changes no pixel but where it is drawn") {
+  const Desk desk;
+  CHECK_EQUAL(desk.run(std::string(kSize) + "-output whole.tga").status, 0);
+  renderTiles(desk, 2);
+  const std::string second = std::string(kSize) + "-output p2.tga -tile 2 2 -grid 3 4 5 ";
+  CHECK_EQUAL(desk.run(second).status, 0);
+  CHECK_EQUAL(desk.run("-merge merged.tga p1.tga p2.tga").errors, "");
+  CHECK(check::contentOf(desk.file("merged.tga")) == check::contentOf(desk.file("whole.tga")));
+  CHECK_EQUAL(desk.run(second + "-visualize_grid").status, 0);
+  CHECK(contains(refusal(desk, "p1.tga p2.tga"), "expected a part of the same picture"));
+}
+
 TEST("regions give the whole picture's bytes with every kind of sample and filter") {
   const Desk desk;
   for (const std::string arguments :

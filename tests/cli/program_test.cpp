@@ -180,6 +180,8 @@ TEST("an output folder that is missing gives status 1 before anything is rendere
   checkFailure(desk.run("-input scene.txt -size 65535 65535 -output none/out.tga"), 1,
                "none/out.tga: ");
   checkFailure(desk.run("-input scene.txt -size 65535 65535 -output ."), 1, "raytracer: .: ");
+  checkFailure(desk.run("-input scene.txt -size 65535 65535 -output out.bmp"), 1,
+               "a BMP image has at most 2^30 pixels here, this one is 65535 x 65535");
 }
 
 TEST("where one of several outputs fails the others are still written") {

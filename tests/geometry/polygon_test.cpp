@@ -165,6 +165,11 @@ TEST("convex outlines and those without area are left alone, crossing ones told"
   CHECK(shapeOf(flat({{0, 0}, {1, 0}, {2, 0}, {1, 0}})) == OutlineShape::convex);
   CHECK(shapeOf(flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}})) == OutlineShape::convex);
   CHECK(shapeOf(flat({{0, 0}, {2, 3}, {2, 0}, {0, 2}})) == OutlineShape::crossing);
+  // The halves of a bow tie have the same area, and turn in opposite ways: their sum is none. There
+  // and back is none either, but crosses nothing.
+  CHECK(shapeOf(flat({{-1, -1}, {1, -1}, {-1, 1}, {1, 1}})) == OutlineShape::crossing);
+  CHECK(shapeOf(flat({{-1, -1}, {1, 1}, {1, -1}, {-1, 1}})) == OutlineShape::crossing);
+  CHECK(shapeOf(flat({{0, 0}, {1, 0}, {1, 1}, {1, 0}})) == OutlineShape::convex);
   // A star of five points in one stroke goes around twice.
   Outline pentagram;
   for (int k = 0; k < 5; ++k) {

@@ -3,10 +3,13 @@
 #include <memory>
 
 #include "accel/compiled_scene.h"
+#include "geometry/sphere.h"
 #include "glasses.h"
 #include "random.h"
 #include "ray_log.h"
+#include "render/media.h"
 #include "scene_text.h"
+#include "shading/phong_material.h"
 #include "vectors.h"
 
 using glasses::ball;
@@ -127,6 +130,23 @@ TEST("of equal priority and volume the one that the ray leaves first wins") {
   const std::string cube = cubeFile();
   checkLayers(Glasses({{1.5, 7, slab(cube, 4, 2)}, {1.25, 7, slab(cube, 3, 1)}}), 4,
               {{1.5, 2}, {1.25, 1}});
+}
+
+TEST("of two that differ in looks alone the first of the scene's materials wins") {
+  // As two textures of the same mean do. Where the objects lie in memory must not matter.
+  PhongMaterial first({}, {}, 1, {1, 1, 1}, {}, 1.5f), second({}, {}, 1, {1, 1, 1}, {}, 1.5f);
+  first.setNumber(0);
+  second.setNumber(1);
+  for (const bool isTurned : {false, true}) {
+    const Sphere balls[] = {Sphere({}, 1, isTurned ? &second : &first),
+                            Sphere({}, 1, isTurned ? &first : &second)};
+    Media media(nullptr);
+    media.begin();
+    for (const Sphere& each : balls) each.visitCrossings(Ray({0, 0, 3}, {0, 0, -1}), media);
+    media.finish();
+    CHECK(media.mediumAt(3).material == &first);
+    CHECK(media.mediumAt(5).material == nullptr);
+  }
 }
 
 TEST("liquid that reaches into the wall of its glass touches it without a gap") {
