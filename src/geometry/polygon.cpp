@@ -76,10 +76,10 @@ std::vector<Point> projected(const std::vector<Vec3f>& corners, bool& hasArea) {
   Vec3d normal, sizes;
   const Vec3d origin(corners[0]);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec3d a = Vec3d(corners[k]) - origin,
-                b = Vec3d(corners[(k + 1) % corners.size()]) - origin;
-    normal += cross(a, b);
-    sizes += absolute(cross(a, b));
+    const Vec3d area = cross(Vec3d(corners[k]) - origin,
+                             Vec3d(corners[(k + 1) % corners.size()]) - origin);
+    normal += area;
+    sizes += absolute(area);
   }
   hasArea = normal != Vec3d();
   const int axis = longestAxis(hasArea ? normal : sizes);

@@ -131,9 +131,11 @@ class RayReport : public RayObserver {
   std::string answerOf(const ShadowQuery* shadowRay, const Vec3f& visible) const {
     if (!shadowRay) return "no shadow ray";
     if (visible == Vec3f(1, 1, 1)) return "nothing in the way";
-    // Asked of the scene itself: of several in one place, the first there is named.
+    // Crossings come in no order. The scene itself, which takes longer, tells those of several in
+    // one place in its own, so that the first is named.
+    const bool tinted = tracer_.options().transparentShadows;
     const auto blocker =
-        findBlocker(*tracer_.scene().getGroup(), *shadowRay, tracer_.options().transparentShadows);
+        findBlocker(tinted ? *tracer_.scene().getGroup() : tracer_.geometry(), *shadowRay, tinted);
     if (visible != Vec3f() || !blocker) return "tinted by " + textOf(visible);
     return "blocked by " + nameOf(blocker->object, blocker->face) + ", at t " + textOf(blocker->t);
   }
