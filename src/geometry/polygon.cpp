@@ -76,8 +76,8 @@ std::vector<Point> projected(const std::vector<Vec3f>& corners, bool& hasArea) {
   Vec3d normal, sizes;
   const Vec3d origin(corners[0]);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec3d area = cross(Vec3d(corners[k]) - origin,
-                             Vec3d(corners[(k + 1) % corners.size()]) - origin);
+    const Vec3d area =
+        cross(Vec3d(corners[k]) - origin, Vec3d(corners[(k + 1) % corners.size()]) - origin);
     normal += area;
     sizes += absolute(area);
   }
