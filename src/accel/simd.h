@@ -12,6 +12,9 @@ constexpr int kParts = 1;
 constexpr int kParts = 2;
 #endif
 typedef float Part __attribute__((vector_size(32 / kParts)));
+/// Copied whole: as bytes it is copied half by half (1.015 of the time of the walk for hits).
+typedef float PartInMemory
+    __attribute__((vector_size(32 / kParts), aligned(sizeof(float)), may_alias));
 typedef int IntPart __attribute__((vector_size(32 / kParts)));
 
 struct Float8 {
@@ -27,7 +30,9 @@ struct Float8 {
     for (Part& part : result.v) part = x - Part{};
     return result;
   }
-  void store(float* p) const { __builtin_memcpy(p, v, sizeof v); }
+  void store(float* p) const {
+    for (int i = 0; i < kParts; ++i) reinterpret_cast<PartInMemory*>(p)[i] = v[i];
+  }
 };
 
 /// Of each lane all bits, or none.
