@@ -85,9 +85,10 @@ struct NearestSoFar {
   }
 };
 
-/// The nearest hits of the rays of a RayTable, in which tmax is the t of the hit.
+/// The nearest hits of the rays of a RayTable, in which tmax is the t of the hit. Where nothing was
+/// found, all but the order may be anything.
 struct HitTable {
-  const Material** material;  ///< null where nothing was found; not owned
+  const Material** material;  ///< not owned
   const Object3D** object;    ///< the primitive; not owned
   std::uint32_t* face;        ///< which triangle of a mesh; 0 for all else
   std::uint32_t* order;       ///< the primitive's in the scene, or NearestSoFar::kNothing

@@ -36,6 +36,8 @@ MaskOf<Number> nearestRoot(const Vec3<Number>& center, const Number& radius,
                            Number& t) {
   Number middle, half;
   const MaskOf<Number> meets = roots(center, radius, origin, direction, middle, half);
+  t = middle;
+  if (!any(meets)) return meets;
   const Number near = middle - half, far = middle + half;
   t = choose(leaves | !(near > tmin), far, near);
   return meets & !(leaves & (middle <= 0)) & (t > tmin) & (t < tmax);

@@ -50,7 +50,6 @@ HitTable::HitTable(Arena& arena, int rows) : rowCount(rows) {
   double** const columns[] = {&magnitude, &normal[0], &normal[1], &normal[2],
                               &point[0],  &point[1],  &point[2]};
   takeColumns(arena, rows, columns, 7);
-  std::fill(material, material + size, nullptr);
   std::fill(order, order + size, NearestSoFar::kNothing);
 }
 

@@ -78,9 +78,7 @@ TEST("nothing is found in a new table of hits; a hit comes out of it as it went 
   pictured.setShading({{}, {}, {{0, 0}}, std::vector<MeshShading::Face>(12)});
   const TriangleMesh textured(&pictured, &material);
   HitTable hits(arena, 100);
-  for (int i = 0; i < 100; ++i) {
-    CHECK(!hits.isFound(i) && hits.material[i] == nullptr);
-  }
+  for (int i = 0; i < 100; ++i) CHECK(!hits.isFound(i) && !hits.hitOf(i, 1).getMaterial());
   for (int i = 0; i < 100; i += 3) {
     const double t = random.logUniform(1e-9, 1e9);
     Hit hit;
