@@ -36,7 +36,7 @@ MaskOf<Number> nearestRoot(const Vec3<Number>& center, const Number& radius,
                            Number& t) {
   Number middle, half;
   const MaskOf<Number> meets = roots(center, radius, origin, direction, middle, half);
-  t = middle;
+  t = middle;  // nobody reads it, but compilers cannot see that
   if (!any(meets)) return meets;
   const Number near = middle - half, far = middle + half;
   t = choose(leaves | !(near > tmin), far, near);
