@@ -6,6 +6,13 @@
 /// The formulas of an eye ray through (x, y), for any number of rays (see math/number.h).
 namespace eye_ray {
 
+/// A coordinate of it, from a place in the picture: both `place` and `middle`, which lies at 0, are
+/// in pixels from the lower left corner; `unit` pixels are 1 long.
+template <class Number>
+Number coordinate(const Number& place, const Number& middle, const Number& unit) {
+  return (place - middle) / unit;
+}
+
 /// Its direction in a perspective picture. `spread` is how long the image plane's unit is at
 /// distance 1.
 template <class Number>

@@ -2,6 +2,8 @@
 // from the lower left corner of the whole picture.
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "math/vec3.h"
@@ -14,6 +16,9 @@ struct Pixel {
 struct Sample {
   Pixel at;
   Vec2d offset;  ///< from the lower left corner of the pixel: each component from 0 to below 1
+
+  /// From that of the picture, in pixels.
+  Vec2d place() const { return {at.i + offset.x(), at.j + offset.y()}; }
 };
 
 /// The pixels left <= i < right, bottom <= j < top, which may lie outside of the picture.
@@ -63,26 +68,33 @@ struct Tiling {
   }
 };
 
-/// Every other bit of a pixel's number in a block of 16 x 16, from the lowest on: its column; that
-/// of half the number is its row. Pixels are taken in this order (G. M. Morton's, 1966), so that
-/// any 2^n rays in a row lie in a small block, where they meet much the same things.
-constexpr int evenBits(int number) {
-  return (number & 1) | (number >> 1 & 2) | (number >> 2 & 4) | (number >> 3 & 8);
-}
+/// The pixels of a block of 16 x 16 in the order in which they are taken (G. M. Morton's, 1966):
+/// of a pixel's number every other bit, from the lowest on, makes its column, the others its row.
+/// So any 2^n rays in a row lie in a small block, where they meet much the same things.
+inline constexpr int kBlockSide = 16;
+inline constexpr auto kBlockOrder = [] {
+  std::array<Pixel, kBlockSide * kBlockSide> order{};
+  for (int number = 0; number < kBlockSide * kBlockSide; ++number) {
+    for (int bit = 0; 1 << bit < kBlockSide; ++bit) {
+      order[std::size_t(number)].i |= (number >> 2 * bit & 1) << bit;
+      order[std::size_t(number)].j |= (number >> (2 * bit + 1) & 1) << bit;
+    }
+  }
+  return order;
+}();
 
 /// Calls visit(pixel) for the pixels of `area` in an order of the whole plane: blocks of 16 x 16
-/// row by row, those of a block in the order of evenBits. Any two pixels come in the same order in
-/// every area.
+/// row by row, those of a block in kBlockOrder. Any two pixels come in the same order in every
+/// area.
 template <class Visit>
 void visitInOrder(const PixelRectangle& area, const Visit& visit) {
-  constexpr int kBlock = 16;
-  const auto blockStart = [](int at) { return at - (at % kBlock + kBlock) % kBlock; };
-  for (int j = blockStart(area.bottom); j < area.top; j += kBlock) {
-    for (int i = blockStart(area.left); i < area.right; i += kBlock) {
-      const PixelRectangle block = {i, j, i + kBlock, j + kBlock};
+  const auto blockStart = [](int at) { return at - (at % kBlockSide + kBlockSide) % kBlockSide; };
+  for (int j = blockStart(area.bottom); j < area.top; j += kBlockSide) {
+    for (int i = blockStart(area.left); i < area.right; i += kBlockSide) {
+      const PixelRectangle block = {i, j, i + kBlockSide, j + kBlockSide};
       const bool isWhole = block.within(area).pixelCount() == block.pixelCount();
-      for (int number = 0; number < kBlock * kBlock; ++number) {
-        const Pixel at = {i + evenBits(number), j + evenBits(number >> 1)};
+      for (const Pixel place : kBlockOrder) {
+        const Pixel at = {i + place.i, j + place.j};
         if (isWhole || area.contains(at)) visit(at);
       }
     }

@@ -180,18 +180,22 @@ Information:
 
 /// Reads "depth MIN MAX FILE", or "normals FILE, -normal FILE", where both have the same words.
 ArgumentRow readHeading(const std::string& group, const std::string& heading) {
+  const auto nameOf = [](const std::string& text) { return text.substr(0, text.find(' ')); };
   const std::size_t comma = heading.find(", -");
-  std::istringstream words(heading.substr(0, comma));
+  const std::string first = heading.substr(0, comma);
   ArgumentRow row;
   row.group = group;
-  words >> row.name;
-  for (std::string word; words >> word; ++row.mostWords) {
+  row.name = nameOf(first);
+  for (std::size_t blank = first.find(' '); blank != std::string::npos; ++row.mostWords) {
+    const std::size_t end = first.find(' ', blank + 1);
+    const std::string word = first.substr(blank + 1, end - blank - 1);
     row.words += (row.words.empty() ? "" : " ") + word;
     row.wordNames.push_back(word);
     row.leastWords += word[0] != '[';
+    blank = end;
   }
   if (row.words.find("...") != std::string::npos) row.mostWords = std::string::npos;
-  if (comma != std::string::npos) std::istringstream(heading.substr(comma + 3)) >> row.otherName;
+  if (comma != std::string::npos) row.otherName = nameOf(heading.substr(comma + 3));
   row.action = &actionOf(row.name);
   return row;
 }

@@ -27,7 +27,7 @@ class ArgumentWords;
 /// What an argument does.
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which rows read best
 struct ArgumentAction {
-  const char* name;  ///< the argument's
+  std::string_view name;  ///< the argument's
   /// Enters the argument in `draft`; throws UsageError where its words are wrong. Called with as
   /// many words as the argument takes.
   void (*apply)(const ArgumentWords& words, Draft& draft);

@@ -69,6 +69,7 @@ void write(const std::string& path, const EncodeTo& encodeTo) {
   constexpr std::size_t kPiece = 65536;
   OutputFile file(path);
   Bytes waiting;
+  waiting.reserve(2 * kPiece);
   encodeTo([&](const Bytes& piece) {
     waiting.insert(waiting.end(), piece.begin(), piece.end());
     if (waiting.size() < kPiece) return;

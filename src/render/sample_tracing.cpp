@@ -150,8 +150,8 @@ PictureView::PictureView(const Camera& ofCamera, const PixelPlaces& places, int 
   unit_ = {unitOf(width), unitOf(height)};
 }
 
-/// Points of the image plane first, as the kernel wants them; a camera that it does not know makes
-/// its rays one by one.
+/// Places in the picture first, as the kernel wants them; a camera that it does not know makes its
+/// rays one by one.
 TracedSamples::TracedSamples(const PictureView& view, WaveTracer& tracer, const Sample* samples,
                              int count, bool wantsColors)
     : rays(tracer.arena(), count, false),
@@ -160,20 +160,24 @@ TracedSamples::TracedSamples(const PictureView& view, WaveTracer& tracer, const 
   const Arena::Frame frame(tracer.arena());
   auto* x = tracer.arena().take<double>(std::size_t(count));
   auto* y = tracer.arena().take<double>(std::size_t(count));
-  EyeFrame eye;
-  const bool isWide = toNumbers(view.camera, eye);
-  const double tmin = view.camera.getTMin();
-  rays.count = count;
   for (int k = 0; k < count; ++k) {
-    const Vec2d point = view.pointOf(samples[k]);
-    x[k] = point.x();
-    y[k] = point.y();
-    rays.tmin[k] = tmin;
-    rays.tmax[k] = Hit().getT();
-    rays.weight[k] = 1;
-    if (!isWide) rays.setRow(k, view.camera.generateRay(point), tmin, rays.tmax[k]);
+    const Vec2d place = samples[k].place();
+    x[k] = place.x();
+    y[k] = place.y();
   }
-  if (isWide) tracer.kernels().eyeRays(eye, x, y, count, rays);
+  const double tmin = view.camera.getTMin(), tmax = Hit().getT();
+  rays.count = count;
+  std::fill(rays.tmin, rays.tmin + count, tmin);
+  std::fill(rays.tmax, rays.tmax + count, tmax);
+  std::fill(rays.weight, rays.weight + count, 1.0f);
+  EyeFrame eye;
+  if (toNumbers(view, eye)) {
+    tracer.kernels().eyeRays(eye, x, y, count, rays);
+  } else {
+    for (int k = 0; k < count; ++k) {
+      rays.setRow(k, view.camera.generateRay(view.pointOf(samples[k])), tmin, tmax);
+    }
+  }
   wantsColors ? tracer.trace(rays, 0, hits, colors) : tracer.intersect(rays, hits);
 }
 

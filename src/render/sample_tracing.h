@@ -23,13 +23,16 @@ class PictureView {
 
   /// The point of a sample on the camera's image plane.
   Vec2d pointOf(const Sample& sample) const {
-    return {(sample.at.i + sample.offset.x() - middle_.x()) / unit_.x(),
-            (sample.at.j + sample.offset.y() - middle_.y()) / unit_.y()};
+    const Vec2d place = sample.place();
+    return {eye_ray::coordinate(place.x(), middle_.x(), unit_.x()),
+            eye_ray::coordinate(place.y(), middle_.y(), unit_.y())};
   }
+  /// What of pointOf the samples of a picture have in common.
+  const Vec2d& middle() const { return middle_; }
+  const Vec2d& unit() const { return unit_; }
 
  private:
-  Vec2d middle_;  // what lies at (0, 0), in pixels from the lower left corner
-  Vec2d unit_;    // how many pixels are 1 long
+  Vec2d middle_, unit_;  // see eye_ray::coordinate
 };
 
 /// The eye rays of some samples, at most RayTable::kMost, and what they have met. All memory is

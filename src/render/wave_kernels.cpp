@@ -19,7 +19,10 @@ inline void eyeRays(const EyeFrame& eye, const double* x, const double* y, int c
   DoubleVector origin = all(eye.center), direction = all(eye.direction);
   const DoubleVector right = all(eye.right), up = all(eye.up);
   for (int k = 0; k < count; k += kDoubles) {
-    const Doubles across = Doubles::load(x + k), upwards = Doubles::load(y + k);
+    const Doubles across =
+        eye_ray::coordinate(Doubles::load(x + k), Doubles(eye.middle[0]), Doubles(eye.unit[0]));
+    const Doubles upwards =
+        eye_ray::coordinate(Doubles::load(y + k), Doubles(eye.middle[1]), Doubles(eye.unit[1]));
     if (eye.isPerspective) {
       direction =
           eye_ray::direction(all(eye.direction), right, up, Doubles(eye.scale), across, upwards);

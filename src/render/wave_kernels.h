@@ -8,11 +8,14 @@
 #include "shading/light.h"
 #include "shading/phong_material.h"
 
-/// A camera that has a wide form; see Camera.
+class PictureView;
+
+/// A camera that has a wide form, see Camera, and the picture that it takes.
 struct EyeFrame {
   bool isPerspective;
   double center[3], direction[3], right[3], up[3];
   double scale;  ///< of an image plane's unit: how long it is at distance 1, or in the world
+  double middle[2], unit[2];  ///< of the picture, see eye_ray::coordinate
 };
 
 /// A light that has a wide form.
@@ -33,7 +36,7 @@ struct PhongNumbers {
 
 /// Store what the kernels need of a camera, a light, a material; false, and anything stored, where
 /// it has no wide form. LightNumbers::isSeenBehind is left to the caller.
-bool toNumbers(const Camera& camera, EyeFrame& eye);
+bool toNumbers(const PictureView& view, EyeFrame& eye);
 bool toNumbers(const Light& light, LightNumbers& numbers);
 bool toNumbers(const Material& material, PhongNumbers& numbers);
 
@@ -57,7 +60,8 @@ struct LeavingRays {
 };
 
 struct WaveKernels {
-  /// The origins and directions of `count` eye rays through the image points (x, y).
+  /// The origins and directions of `count` eye rays through (x, y), in pixels from the lower left
+  /// corner of the picture.
   void (*eyeRays)(const EyeFrame& eye, const double* x, const double* y, int count,
                   const RayTable& rays);
   /// Fills in view, point and normal of the surfaces, and sums of 0.

@@ -2,6 +2,7 @@
 //
 // Each class that has a wide form is known here, itself and not what is derived from it, which may
 // compute otherwise.
+#include "render/sample_tracing.h"
 #include "render/wave_kernels.h"
 
 namespace {
@@ -9,16 +10,23 @@ namespace {
 void copyTo(double (&numbers)[3], const Vec3d& v) {
   for (int axis = 0; axis < 3; ++axis) numbers[axis] = v[axis];
 }
+void copyTo(double (&numbers)[2], const Vec2d& v) {
+  numbers[0] = v.x();
+  numbers[1] = v.y();
+}
 
 }  // namespace
 
-bool toNumbers(const Camera& camera, EyeFrame& eye) {
+bool toNumbers(const PictureView& view, EyeFrame& eye) {
+  const Camera& camera = view.camera;
   copyTo(eye.center, camera.getCenter());
   copyTo(eye.direction, camera.getDirection());
   copyTo(eye.right, camera.getRight());
   copyTo(eye.up, camera.getUp());
   const auto* perspective = exactly<PerspectiveCamera>(&camera);
   const auto* orthographic = exactly<OrthographicCamera>(&camera);
+  copyTo(eye.middle, view.middle());
+  copyTo(eye.unit, view.unit());
   eye.isPerspective = perspective;
   if (perspective) eye.scale = perspective->getSpread();
   if (orthographic) eye.scale = orthographic->getSize();
