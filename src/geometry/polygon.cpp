@@ -33,6 +33,8 @@ struct Point {
   float x, y;
 
   bool operator==(const Point& other) const { return x == other.x && y == other.y; }
+  /// From left to right, and upwards where neither is further left.
+  bool operator<(const Point& other) const { return x < other.x || (x == other.x && y < other.y); }
 };
 
 /// The sign of the exact sum of six finite doubles: they are summed into parts that do not overlap,
@@ -99,24 +101,18 @@ std::vector<Point> withoutRepeats(std::vector<Point> points) {
 }
 
 /// True where the outline, of corners that differ from the next, turns to the left alone, and goes
-/// around once: its way from left to right changes into one from right to left and back.
+/// around once: its way from lesser to greater points changes into one back, and again, once each.
 bool isConvex(const std::vector<Point>& points) {
   const std::size_t count = points.size();
-  int changes = 0, direction = 0, firstDirection = 0;
+  int changes = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const Point &a = points[k], &b = points[(k + 1) % count], &c = points[(k + 2) % count];
-    if (turn(a, b, c) < 0) return false;
-    const bool turnsBack =
-        turn(a, b, c) == 0 &&
-        (double(b.x) - a.x) * (double(c.x) - b.x) + (double(b.y) - a.y) * (double(c.y) - b.y) < 0;
-    if (turnsBack) return false;
-    const int now = a.x < b.x ? 1 : a.x > b.x ? -1 : 0;
-    if (now == 0) continue;
-    changes += direction != 0 && now != direction;
-    if (firstDirection == 0) firstDirection = now;
-    direction = now;
+    const int turned = turn(a, b, c);
+    const bool hasChanged = (a < b) != (b < c);
+    if (turned < 0 || (turned == 0 && hasChanged)) return false;  // on a line: it turns back
+    changes += hasChanged;
   }
-  return changes + (direction != firstDirection) <= 2;
+  return changes <= 2;
 }
 
 /// A box, its sides included.
@@ -172,17 +168,13 @@ class EarCutter {
     const auto count = std::uint32_t(points_.size());
     for (std::uint32_t k = 0; k < count; ++k) {
       ring_.push_back({(k + count - 1) % count, (k + 1) % count});
-      isReflex_.push_back(turnAt(k) <= 0);
-      if (isReflex_[k]) reflex_.push_back(k);
+      if (turnAt(k) <= 0) reflex_.push_back(k);
     }
   }
 
   /// False where at some time no ear is found, or what is left turns the other way.
   bool cutAll() {
-    const auto isLess = [](const Point& a, const Point& b) {
-      return a.x < b.x || (a.x == b.x && a.y < b.y);
-    };
-    const auto least = std::min_element(points_.begin(), points_.end(), isLess);
+    const auto least = std::min_element(points_.begin(), points_.end());
     std::uint32_t at = std::uint32_t(least - points_.begin());
     std::size_t left = points_.size(), passed = 0;
     while (left > 3) {
@@ -250,26 +242,20 @@ class EarCutter {
     triangles_.push_back({before, at, next});
     ring_[before].next = next;
     ring_[next].before = before;
-    bool haveFewer = isReflex_[at];
-    isReflex_[at] = false;
-    for (const std::uint32_t k : {before, next}) {
+    for (const std::uint32_t k : {before, at, next}) {
       rejected_[k] = 0;
-      if (!isReflex_[k] || turnAt(k) <= 0) continue;
-      isReflex_[k] = false;
-      haveFewer = true;
+      if (k != at && turnAt(k) <= 0) continue;
+      const auto place = std::lower_bound(reflex_.begin(), reflex_.end(), k);
+      if (place != reflex_.end() && *place == k) reflex_.erase(place);
     }
-    if (!haveFewer) return;
-    reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(),
-                                 [&](std::uint32_t k) { return !isReflex_[k]; }),
-                  reflex_.end());
   }
 
   const std::vector<Point> points_;
   std::vector<OutlineTriangle>& triangles_;
   std::vector<Neighbours> ring_;
-  std::vector<char> isReflex_;         // it did not turn to the left, and still does not
-  std::vector<std::uint32_t> reflex_;  // those
-  std::vector<char> rejected_;         // 1: it is no ear; 2: nor may anything be cut off there
+  /// Those that did not turn to the left, and still do not, by rising numbers.
+  std::vector<std::uint32_t> reflex_;
+  std::vector<char> rejected_;  // 1: it is no ear; 2: nor may anything be cut off there
 };
 
 }  // namespace
