@@ -115,29 +115,13 @@ bool isConvex(const std::vector<Point>& points) {
   return changes <= 2;
 }
 
-/// A box, its sides included.
-struct Box {
-  Point low, high;
-
-  bool meets(const Box& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y;
-  }
-};
-
-Box boxAround(const Point& a, const Point& b, const Point& c) {
-  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
-          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
-}
-
-/// A side of the outline, and the box around it.
+/// A side of the outline, from its lesser end to the other one.
 struct Side {
   Point a, b;
-  Box box;
 
   /// True where the two have a point inside of both in common, and are not on one line.
   bool crosses(const Side& other) const {
-    return box.meets(other.box) && turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
+    return turn(a, b, other.a) * turn(a, b, other.b) < 0 &&
            turn(other.a, other.b, a) * turn(other.a, other.b, b) < 0;
   }
 };
@@ -146,14 +130,13 @@ struct Side {
 bool crossesItself(const std::vector<Point>& points) {
   std::vector<Side> sides;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Point &a = points[k], &b = points[(k + 1) % points.size()];
-    sides.push_back({a, b, boxAround(a, b, b)});
+    const auto [a, b] = std::minmax({points[k], points[(k + 1) % points.size()]});
+    sides.push_back({a, b});
   }
   std::sort(sides.begin(), sides.end(),
-            [](const Side& one, const Side& other) { return one.box.low.x < other.box.low.x; });
+            [](const Side& one, const Side& other) { return one.a < other.a; });
   for (auto side = sides.begin(); side != sides.end(); ++side) {
-    const float right = side->box.high.x;
-    for (auto other = side + 1; other != sides.end() && other->box.low.x <= right; ++other) {
+    for (auto other = side + 1; other != sides.end() && other->a.x <= side->b.x; ++other) {
       if (side->crosses(*other)) return true;
     }
   }
@@ -210,12 +193,14 @@ class EarCutter {
     if (turned <= 0) return turned == 0 && mayBeFlat;
     const std::uint32_t before = ring_[at].before, next = ring_[at].next;
     const Point ear[] = {points_[before], points_[at], points_[next]};
-    const Box box = boxAround(ear[0], ear[1], ear[2]);
-    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t k) {
+    const auto [left, right] = std::minmax({ear[0].x, ear[1].x, ear[2].x});
+    const auto [low, high] = std::minmax({ear[0].y, ear[1].y, ear[2].y});
+    for (const std::uint32_t k : reflex_) {
       const Point& p = points_[k];
-      if (!box.meets({p, p}) || k == before || k == at || k == next) return false;
-      return intrudes(k, ear, mayBeFlat);
-    });
+      if (p.x < left || p.x > right || p.y < low || p.y > high) continue;
+      if (k != before && k != at && k != next && intrudes(k, ear, mayBeFlat)) return false;
+    }
+    return true;
   }
 
   /// Whether a corner lies in an ear, or a side from it goes into the ear.
