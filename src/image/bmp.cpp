@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr std::size_t kFileHead = 14, kInfoHead = 40;
+constexpr std::uint32_t kFileHead = 14, kInfoHead = 40;
 /// BITMAPINFOHEADER, the same with three masks and with four, and with colour spaces, V4 and V5:
 /// what stands behind the masks is skipped.
 constexpr std::uint32_t kInfoHeads[] = {40, 52, 56, 108, 124};
@@ -111,21 +111,13 @@ Image decodeBmp(const Bytes& bytes, const std::string& name) {
 }
 
 Bytes bmpHead(int width, int height) {
-  const std::uint64_t pixels = strideOf(std::uint64_t(width), 24) * std::uint64_t(height);
+  const auto w = std::uint32_t(width), h = std::uint32_t(height);
+  const std::uint32_t pixels = std::uint32_t(strideOf(w, 24)) * h, start = kFileHead + kInfoHead;
+  // Of the file, and where the pixels begin; then of the picture: one plane, 24 bits (numbers of 16
+  // bits), not compressed, its size, no resolution, no palette.
+  const std::uint32_t numbers[] = {start + pixels, 0,      start, kInfoHead, w, h, 1 | 24 << 16,
+                                   kPlain,         pixels, 0,     0,         0, 0};
   Bytes head = {'B', 'M'};
-  const auto add = [&](std::uint64_t value, int count = 4) {
-    appendLittleEndian(std::uint32_t(value), count, head);
-  };
-  add(kFileHead + kInfoHead + pixels);
-  add(0);
-  add(kFileHead + kInfoHead);  // where the pixels begin
-  add(kInfoHead);
-  add(std::uint64_t(width));
-  add(std::uint64_t(height));
-  add(1, 2);   // plane
-  add(24, 2);  // bits
-  add(kPlain);
-  add(pixels);
-  for (int k = 0; k < 4; ++k) add(0);  // no resolution, no palette
+  for (const std::uint32_t number : numbers) appendLittleEndian(number, 4, head);
   return head;
 }
