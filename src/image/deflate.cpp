@@ -32,18 +32,18 @@ std::vector<Token> takeTokens(const std::uint8_t* bytes, std::size_t& at, std::s
                               HashChains& chains) {
   std::vector<Token> tokens;
   while (at < to && tokens.size() < kBlockTokens) {
-    Match match = chains.longest(at, 0, kTries);
+    Token match = chains.longest(at, 0, kTries);
     chains.add(at);
     while (match.length > 0 && match.length < kBestLength) {
       const unsigned tries = match.length < kGoodLength ? kTries : kTries / 4;
-      const Match later = chains.longest(at + 1, match.length, tries);
+      const Token later = chains.longest(at + 1, match.length, tries);
       if (later.length == 0) break;
       tokens.push_back({bytes[at], 0});
       chains.add(++at);
       match = later;
     }
     const bool isFound = match.length > 0;
-    tokens.push_back(isFound ? Token{match.length, match.distance} : Token{bytes[at], 0});
+    tokens.push_back(isFound ? match : Token{bytes[at], 0});
     for (const std::size_t next = at + (isFound ? match.length : 1); ++at < next;) chains.add(at);
   }
   return tokens;
@@ -80,8 +80,8 @@ std::size_t HashChains::matchingBytes(std::size_t place, std::size_t at) const {
   return length;
 }
 
-Match HashChains::longest(std::size_t at, unsigned longerThan, unsigned tries) const {
-  Match best;
+Token HashChains::longest(std::size_t at, unsigned longerThan, unsigned tries) const {
+  Token best;
   std::size_t longest = std::max(longerThan, kHashed - 1);
   if (at + longest >= size_ || longest >= kLongestCopy) return best;
   std::uint32_t place = last_[hashAt(at)];

@@ -78,13 +78,8 @@ Lengths fixedDistanceLengths();
 
 /// A literal, or a copy of the `length` bytes that stand `distance` bytes before.
 struct Token {
-  unsigned length;    // of a literal: the byte itself
-  unsigned distance;  // 1..32768; of a literal: 0
-};
-
-/// The nearest of the longest equal stretches; length 0: none.
-struct Match {
-  unsigned length = 0, distance = 0;
+  unsigned length = 0;    // of a literal: the byte itself
+  unsigned distance = 0;  // 1..32768; of a literal: 0
 };
 
 /// Where the same four bytes stood before: for each value of their hash the places that had it,
@@ -96,9 +91,10 @@ class HashChains {
 
   /// Adds the place `at`. Each place is added once, from the first one on.
   void add(std::size_t at);
-  /// A match for the bytes from `at` on of more than `longerThan` bytes (and 4 at least), among the
-  /// last `tries` places of its chain within the window; they were all added, `at` was not.
-  Match longest(std::size_t at, unsigned longerThan, unsigned tries) const;
+  /// A match for the bytes from `at` on, as a copy of more than `longerThan` bytes (and 4 at
+  /// least), among the last `tries` places of its chain within the window; they were all added,
+  /// `at` was not. The nearest of the longest; of length 0 where there is none.
+  Token longest(std::size_t at, unsigned longerThan, unsigned tries) const;
 
  private:
   std::size_t hashAt(std::size_t at) const;

@@ -10,14 +10,14 @@ namespace {
 using deflate::HashChains;
 using deflate::kLongestCopy;
 using deflate::kWindow;
-using deflate::Match;
+using deflate::Token;
 
 constexpr unsigned kShortest = 4;  // shorter ones are not looked for
 constexpr unsigned kEndless = 1000000;
 
 /// By looking at every place of the window, the nearest first.
-Match matchBySearch(const Bytes& bytes, std::size_t at) {
-  Match match;
+Token matchBySearch(const Bytes& bytes, std::size_t at) {
+  Token match;
   const std::size_t most = std::min<std::size_t>(bytes.size() - at, kLongestCopy);
   std::size_t longest = kShortest - 1;
   for (std::size_t distance = 1; distance <= std::min<std::size_t>(at, kWindow); ++distance) {
@@ -30,7 +30,7 @@ Match matchBySearch(const Bytes& bytes, std::size_t at) {
   return match;
 }
 
-bool isEqual(Match a, Match b) { return a.length == b.length && a.distance == b.distance; }
+bool isEqual(Token a, Token b) { return a.length == b.length && a.distance == b.distance; }
 
 Bytes randomBytes(std::size_t size, int alphabet, Random& random) {
   Bytes bytes(size);
@@ -51,7 +51,7 @@ TEST("a hash chain finds the nearest of the longest matches") {
     HashChains chains(bytes.data(), bytes.size());
     std::size_t differences = 0, found = 0;
     for (std::size_t at = 0; at < bytes.size(); ++at) {
-      const Match match = chains.longest(at, 0, kEndless), expected = matchBySearch(bytes, at);
+      const Token match = chains.longest(at, 0, kEndless), expected = matchBySearch(bytes, at);
       found += match.length > 0;
       differences += !isEqual(match, expected);
       // One that must be longer than it is, is not found; one that may be as long is the same.
@@ -73,8 +73,8 @@ TEST("matches reach back a window, and no further") {
     for (std::size_t i = 0; i < 4; ++i) bytes[i] = bytes[distance + i] = std::uint8_t(i + 1);
     HashChains chains(bytes.data(), bytes.size());
     for (std::size_t at = 0; at < distance; ++at) chains.add(at);
-    const Match match = chains.longest(distance, 0, kEndless);
-    CHECK(isEqual(match, distance <= kWindow ? Match{4, unsigned(distance)} : Match{}));
+    const Token match = chains.longest(distance, 0, kEndless);
+    CHECK(isEqual(match, distance <= kWindow ? Token{4, unsigned(distance)} : Token{}));
   }
 }
 
