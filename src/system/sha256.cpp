@@ -53,21 +53,16 @@ void Sha256::addBlock(const std::uint8_t* block) {
   for (std::size_t i = 0; i < 8; ++i) state_[i] += sums[i];
 }
 
-/// Whole blocks are taken where they lie; what is left waits for the rest of its block.
+/// All bytes go through the block that waits: a copy of 64 is nothing beside what a block takes.
 void Sha256::add(const void* data, std::size_t size) {
   const auto* next = static_cast<const std::uint8_t*>(data);
   while (size > 0) {
-    const std::size_t filled = size_ % kBlock;
-    const std::size_t part = std::min(size, kBlock - filled);
-    if (part == kBlock) {
-      addBlock(next);
-    } else {
-      std::memcpy(waiting_.data() + filled, next, part);
-      if (filled + part == kBlock) addBlock(waiting_.data());
-    }
+    const std::size_t filled = size_ % kBlock, part = std::min(size, kBlock - filled);
+    std::memcpy(waiting_.data() + filled, next, part);
     size_ += part;
     next += part;
     size -= part;
+    if (filled + part == kBlock) addBlock(waiting_.data());
   }
 }
 
