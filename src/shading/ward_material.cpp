@@ -16,12 +16,9 @@ namespace {
 
 /// The unit vector of the axis along which `normal` is shortest, the first of equal ones.
 Vec3d farthestAxis(const Vec3d& normal) {
-  int farthest = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (std::fabs(normal[axis]) < std::fabs(normal[farthest])) farthest = axis;
-  }
+  const double sizes[] = {std::fabs(normal.x()), std::fabs(normal.y()), std::fabs(normal.z())};
   Vec3d unit;
-  unit[farthest] = 1;
+  unit[int(std::min_element(sizes, sizes + 3) - sizes)] = 1;
   return unit;
 }
 
