@@ -21,10 +21,7 @@ class BoundingBox {
 
   /// Grows until it holds `point`. A coordinate that is NaN changes nothing along its axis; an
   /// infinite one makes the box reach as far.
-  void extend(const Vec3d& point) {
-    low_ = least(low_, point);
-    high_ = largest(high_, point);
-  }
+  void extend(const Vec3d& point) { extend(BoundingBox(point, point)); }
   /// Grows until it holds `other`.
   void extend(const BoundingBox& other) {
     low_ = least(low_, other.low_);

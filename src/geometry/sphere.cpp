@@ -15,6 +15,5 @@ void Sphere::addBounds(const Matrix& toWorld, BoundingBox& box) const {
     const Vec3d row(toWorld.at(axis, 0), toWorld.at(axis, 1), toWorld.at(axis, 2));
     reach[axis] = radius_ * length(row);
   }
-  box.extend(center - reach);
-  box.extend(center + reach);
+  box.extend({center - reach, center + reach});
 }
