@@ -75,8 +75,6 @@ class Object3D {
 struct ShadowQuery {
   Ray ray;
   double tmin = 0, tmax = 0;
-  ShadowQuery() = default;
-  ShadowQuery(const Ray& r, double from, double to) : ray(r), tmin(from), tmax(to) {}
 };
 
 /// `object` (not null), of a class with virtual functions such as Object3D, as a T where it is a T

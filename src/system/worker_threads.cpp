@@ -87,9 +87,7 @@ void runOnThreads(int threads, std::size_t stackBytes, const std::function<void(
 
 void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
                     const std::function<void(std::size_t)>& work) {
-  shareOnThreads(threads, stackBytes, count, [&]() -> std::function<void(std::size_t)> {
-    return [&](std::size_t index) { work(index); };
-  });
+  shareOnThreads(threads, stackBytes, count, [&] { return std::ref(work); });
 }
 
 void shareOnThreads(int threads, std::size_t stackBytes, std::size_t count,
