@@ -87,8 +87,7 @@ bool FieldReader::readPlainNumbers(double* values, std::size_t count) {
     if (!p) return false;
   }
   tokenizer_.moveTo(p);
-  lastEnd_ = p;
-  word_ = tokenizer_.next();
+  advance();
   return true;
 }
 
@@ -127,8 +126,7 @@ bool FieldReader::readFileName(std::string_view what) {
       return false;
     }
     tokenizer_.moveTo(name.data() + name.size());
-    lastEnd_ = tokenizer_.place();
-    word_ = tokenizer_.next();
+    advance();
     return true;
   }
   advance();

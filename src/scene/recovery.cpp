@@ -61,7 +61,7 @@ bool FieldReader::isAtStep() const { return isStepWord(word_); }
 
 void FieldReader::advance() {
   if (word_.empty()) return;
-  lastEnd_ = word_.data() + word_.size();
+  lastEnd_ = tokenizer_.place();
   word_ = tokenizer_.next();
 }
 
