@@ -52,7 +52,7 @@ class Fields {
   bool has(std::string_view meaning) const;
   /// The value of that meaning, which must be one of the table's; its default where this language
   /// has no such field.
-  const Value& operator[](std::string_view meaning) const;
+  Value operator[](std::string_view meaning) const;
   /// The value that `word` names, be it in the older form; end() where there is none. `next` is
   /// looked at first: the one behind the last that was found, as most blocks are in this order.
   Value* find(std::string_view word, Value* next);

@@ -10,25 +10,6 @@
 
 namespace {
 
-constexpr std::size_t kRows = std::size(kFields);
-
-/// The values of all rows of the table where nothing is given.
-constexpr auto kDefaults = [] {
-  std::array<Value, kRows> values{};
-  for (std::size_t i = 0; i < kRows; ++i) values[i] = {&kFields[i], kFields[i].defaults, nullptr};
-  return values;
-}();
-
-/// For each row where its block ends. (No name is compared for that: 0.98 of the time of a scene.)
-constexpr auto kBlockEnds = [] {
-  std::array<std::size_t, kRows> ends{};
-  for (std::size_t i = kRows; i-- > 0;) {
-    const bool isLast = i + 1 == kRows || kFields[i + 1].block != kFields[i].block;
-    ends[i] = isLast ? i + 1 : ends[i + 1];
-  }
-  return ends;
-}();
-
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// True for MaterialIndex where a field is called materialIndex.
@@ -53,10 +34,11 @@ bool isWord(std::string_view word, std::string_view name) {
 
 Fields::Fields(Language language, std::initializer_list<std::string_view> blocks) {
   for (const std::string_view block : blocks) {
-    std::size_t row = 0;
-    while (kFields[row].block != block) ++row;
-    for (const std::size_t end = kBlockEnds[row]; row != end; ++row) {
-      if (isIn(kFields[row].languages, language)) values_.at(count_++) = kDefaults[row];
+    const Field* field = std::begin(kFields);
+    while (field->block != block) ++field;
+    for (; field != std::end(kFields) && field->block == block; ++field) {
+      if (!isIn(field->languages, language)) continue;
+      values_.at(count_++) = {field, field->defaults, nullptr};
     }
   }
 }
@@ -65,12 +47,13 @@ bool Fields::has(std::string_view meaning) const {
   return std::any_of(begin(), end(), [&](const Value& v) { return v.field->meaning == meaning; });
 }
 
-const Value& Fields::operator[](std::string_view meaning) const {
+Value Fields::operator[](std::string_view meaning) const {
+  const auto isMeant = [&](const Field& field) { return field.meaning == meaning; };
   for (const Value& value : *this) {
-    if (value.field->meaning == meaning) return value;
+    if (isMeant(*value.field)) return value;
   }
-  return *std::find_if(kDefaults.begin(), kDefaults.end(),
-                       [&](const Value& value) { return value.field->meaning == meaning; });
+  const Field* const other = std::find_if(std::begin(kFields), std::end(kFields), isMeant);
+  return {other, other->defaults, nullptr};
 }
 
 Value* Fields::find(std::string_view word, Value* next) {
