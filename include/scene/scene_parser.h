@@ -103,8 +103,9 @@ class SceneParser {
   const SolidObjects* getSolids() const { return solids_ ? &*solids_ : nullptr; }
 
  private:
-  friend class SceneReader;  // fills all below while reading
-  SceneParser() = default;   // empty, for check()
+  friend class SceneReader;     // fills all below while reading,
+  friend class MaterialReader;  // with the materials and what belongs to them
+  SceneParser() = default;      // empty, for check()
 
   std::unique_ptr<Camera> camera_;
   Background background_;

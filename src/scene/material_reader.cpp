@@ -27,13 +27,13 @@ void MaterialReader::readSection() {
 
 void MaterialReader::readInline() {
   add();
-  select(materials_.back().get());
+  select(scene_.materials_.back().get());
 }
 
 void MaterialReader::add() {
   notes_.materials.push_back({in_.at(), false, {}});
-  materials_.push_back(read());
-  materials_.back()->setNumber(int(materials_.size()) - 1);
+  scene_.materials_.push_back(read());
+  scene_.materials_.back()->setNumber(int(scene_.materials_.size()) - 1);
 }
 
 void MaterialReader::readIndex(std::string_view name) {
@@ -49,7 +49,7 @@ void MaterialReader::readIndex(std::string_view name) {
 
 void MaterialReader::selectListed(int index) {
   const bool isListed = index >= 0 && std::size_t(index) < notes_.listedMaterials;
-  isListed ? select(materials_[std::size_t(index)].get()) : void(isMissed_ = true);
+  isListed ? select(scene_.materials_[std::size_t(index)].get()) : void(isMissed_ = true);
 }
 
 /// The listed material that `index`, which stands at `at`, means. Null where it means none; that is
@@ -57,7 +57,7 @@ void MaterialReader::selectListed(int index) {
 const Material* MaterialReader::listedMaterial(int index, const char* at, const std::string& name,
                                                const std::string& listedWhere) {
   if (index >= 0 && std::size_t(index) < notes_.listedMaterials) {
-    return materials_[std::size_t(index)].get();
+    return scene_.materials_[std::size_t(index)].get();
   }
   if (areIndicesSure_) {
     in_.report(at, name + " out of range: expected one of " + (listedWhere.empty() ? "" : "the ") +
@@ -161,7 +161,7 @@ void MaterialReader::setHighlight(PhongMaterial& material, std::string_view owne
     material.setHighlight(PhongMaterial::Highlight::dimmed);
   } else if (rules_.areHighlightsEverywhere && owner != "BlinnPhongMaterial") {
     material.setHighlight(PhongMaterial::Highlight::everywhere);
-    haveHighlightsBehind_ |= anyPositive(material.getSpecularColor());
+    scene_.hasHighlightsBehind_ |= anyPositive(material.getSpecularColor());
   }
 }
 
@@ -196,8 +196,8 @@ const DiffuseMap* MaterialReader::readNoise() {
     in_.report(start, "expected two color in Noise, found only one");
     return nullptr;
   }
-  noiseMaps_.push_back(std::make_unique<NoiseMap>(colors[0], colors[1], wavesOf(fields)));
-  return noiseMaps_.back().get();
+  scene_.noiseMaps_.push_back(std::make_unique<NoiseMap>(colors[0], colors[1], wavesOf(fields)));
+  return scene_.noiseMaps_.back().get();
 }
 
 math::NoisyWaves MaterialReader::wavesOf(const Fields& fields) {

@@ -30,7 +30,7 @@ SceneReader::SceneReader(const SourceText& text, MistakeLog& log, SceneParser& s
       scene_(scene),
       meshes_(text, log, scene.meshes_, rules),
       pictures_(text, log, scene.pictures_),
-      materials_(in_, notes_, scene.materials_, pictures_, scene.noiseMaps_, rules),
+      materials_(in_, notes_, scene, pictures_, rules),
       objects_(in_, notes_, materials_, meshes_, scene.objects_, places) {}
 
 void SceneReader::read() {
@@ -198,7 +198,6 @@ void SceneReader::finish() {
   for (std::string& path : pictures_.files().paths()) {
     scene_.inputFiles_.push_back(std::move(path));
   }
-  scene_.hasHighlightsBehind_ = materials_.haveHighlightsBehind();
   if (in_.mistakeCount() == 0) review();
   scene_.warnings_ = notes_.inOrder();
 }

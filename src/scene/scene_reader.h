@@ -80,19 +80,10 @@ class SceneNotes {
 /// Reads materials, and keeps which one holds for the objects that follow.
 class MaterialReader {
  public:
-  /// All must outlive the reader. Of `noiseMaps` some materials have their colours.
-  MaterialReader(FieldReader& in, SceneNotes& notes,
-                 std::vector<std::unique_ptr<Material>>& materials, PictureLibrary& pictures,
-                 std::vector<std::unique_ptr<NoiseMap>>& noiseMaps, const SceneRules& rules)
-      : in_(in),
-        notes_(notes),
-        materials_(materials),
-        pictures_(pictures),
-        noiseMaps_(noiseMaps),
-        rules_(rules) {}
-
-  /// Whether any material's highlight is seen of lights behind the surface.
-  bool haveHighlightsBehind() const { return haveHighlightsBehind_; }
+  /// All must outlive the reader. Materials and their noise maps are added to `scene`.
+  MaterialReader(FieldReader& in, SceneNotes& notes, SceneParser& scene, PictureLibrary& pictures,
+                 const SceneRules& rules)
+      : in_(in), notes_(notes), scene_(scene), pictures_(pictures), rules_(rules) {}
 
   /// The section Materials, from behind its name.
   void readSection();
@@ -137,13 +128,11 @@ class MaterialReader {
 
   FieldReader& in_;
   SceneNotes& notes_;
-  std::vector<std::unique_ptr<Material>>& materials_;
+  SceneParser& scene_;
   PictureLibrary& pictures_;
-  std::vector<std::unique_ptr<NoiseMap>>& noiseMaps_;
   const SceneRules rules_;
   const Material* selected_ = nullptr;
   bool isMissed_ = false;
-  bool haveHighlightsBehind_ = false;
   bool areIndicesSure_ = true;  // false after a mistake among materials: an index may be right
 };
 
