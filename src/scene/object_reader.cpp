@@ -15,12 +15,23 @@
 #include "geometry/triangle_mesh.h"
 #include "scene/scene_reader.h"
 
+/// Where a Group or Transform stands too deep, that is reported, and its block passed over: reading
+/// it takes the stack.
 const Object3D* ObjectReader::read() {
   const std::string_view word = in_.word();
   if (places_) places_->begin(word, in_.at());
-  const Object3D* const object = word == "Group"       ? readGroup()
-                                 : word == "Transform" ? readTransform()
-                                                       : readShape();
+  const Object3D* object = nullptr;
+  if (word != "Group" && word != "Transform") {
+    object = readShape();
+  } else if (depth_ < kMaxNesting) {
+    ++depth_;
+    object = word == "Group" ? readGroup() : readTransform();
+    --depth_;
+  } else {
+    in_.report(in_.at(), "expected Groups and Transforms at most " + std::to_string(kMaxNesting) +
+                             " deep inside each other, found another " + quoted(word));
+    in_.skipWordAndBlock();
+  }
   if (places_) places_->end(object);
   return object;
 }
@@ -89,19 +100,7 @@ void ObjectReader::warnOfMesh(const MeshGeometry& mesh, const char* at) {
 
 // Groups and Transforms.
 
-/// Reports, and passes over the block, where a Group or Transform stands too deep: reading them
-/// takes the stack.
-bool ObjectReader::isTooDeep() {
-  if (depth_ < kMaxNesting) return false;
-  in_.report(in_.at(), "expected Groups and Transforms at most " + std::to_string(kMaxNesting) +
-                           " deep inside each other, found another " + quoted(in_.word()));
-  in_.skipWordAndBlock();
-  return true;
-}
-
 const Object3D* ObjectReader::readGroup() {
-  if (isTooDeep()) return nullptr;
-  ++depth_;
   in_.advance();
   auto group = std::make_unique<Group>();
   const auto readItem = [&] {
@@ -114,7 +113,6 @@ const Object3D* ObjectReader::readGroup() {
     return true;
   };
   in_.readCounted({"Group", "numObjects", kObjectWords, kGroupWords}, readItem, readOther);
-  --depth_;
   return keep(std::move(group));
 }
 
@@ -230,15 +228,12 @@ bool checkInverse(FieldReader& in, const char* at, const Matrix& product) {
 }
 
 const Object3D* ObjectReader::readTransform() {
-  if (isTooDeep()) return nullptr;
   const char* const at = in_.at();
   in_.advance();
   if (!in_.openBlock("Transform")) return nullptr;
-  ++depth_;
   Matrix matrix;
   const bool areStepsGood = readSteps(in_, kTransformWords, true, matrix);
   const Object3D* const object = readMovedObject(areStepsGood);
-  --depth_;
   if (!areStepsGood || !checkInverse(in_, at, matrix)) return nullptr;
   return object ? keep(std::make_unique<Transform>(matrix, object)) : nullptr;
 }

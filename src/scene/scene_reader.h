@@ -172,7 +172,6 @@ class ObjectReader {
   const Object3D* readTransform();
   const Object3D* readMovedObject(bool areStepsGood);
   void warnOfMesh(const MeshGeometry& mesh, const char* at);
-  bool isTooDeep();
 
   FieldReader& in_;
   SceneNotes& notes_;
