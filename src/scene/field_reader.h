@@ -105,8 +105,6 @@ class FieldReader {
   bool isAt(char brace) const { return !word_.empty() && word_[0] == brace; }
   /// True where the current word begins a block or a setting, so that it belongs to no other one.
   bool isAtBlock() const;
-  /// True where the current word is a step of a Transform, be it in another language.
-  bool isAtStep() const;
   void advance();
   const SourceText& text() const { return text_; }
 

@@ -204,13 +204,12 @@ bool readStep(FieldReader& in, const Step& step, bool mustInvert, Matrix& produc
 bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& product) {
   bool isGood = true;
   for (;;) {
-    const auto isNamed = [&](const Step& each) {
-      return each.name == in.word() && isIn(each.languages, in.language());
-    };
+    const auto isNamed = [&](const Step& each) { return each.name == in.word(); };
     const Step* const step = std::find_if(std::begin(kSteps), std::end(kSteps), isNamed);
-    if (step != std::end(kSteps)) {
+    const bool isStep = step != std::end(kSteps);  // be it in another language
+    if (isStep && isIn(step->languages, in.language())) {
       isGood &= readStep(in, *step, mustInvert, product);
-    } else if (in.atEnd() || in.isAt('}') || (in.isAtBlock() && !in.isAtStep())) {
+    } else if (!isStep && (in.atEnd() || in.isAt('}') || in.isAtBlock())) {
       return isGood;
     } else {
       in.skipUnknown("Transform", allowed);

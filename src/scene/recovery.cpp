@@ -10,15 +10,12 @@
 
 namespace {
 
-bool isStepWord(std::string_view word) {
-  const auto isName = [&](const Step& step) { return step.name == word; };
-  return std::any_of(std::begin(kSteps), std::end(kSteps), isName);
-}
-
 /// True for a word that begins a block or a setting in any language.
 bool isBlockWord(std::string_view word) {
   const auto hasWord = [&](const auto& words) { return isOneOf(word, words.first); };
-  return std::any_of(std::begin(kBlockWords), std::end(kBlockWords), hasWord) || isStepWord(word);
+  const auto isNamed = [&](const Step& step) { return step.name == word; };
+  return std::any_of(std::begin(kBlockWords), std::end(kBlockWords), hasWord) ||
+         std::any_of(std::begin(kSteps), std::end(kSteps), isNamed);
 }
 
 /// The languages that have the word; 0 for a word of none.
@@ -57,7 +54,6 @@ FieldReader::FieldReader(const SourceText& text, MistakeLog& log, Language langu
 }
 
 bool FieldReader::isAtBlock() const { return isBlockWord(word_); }
-bool FieldReader::isAtStep() const { return isStepWord(word_); }
 
 void FieldReader::advance() {
   if (word_.empty()) return;
