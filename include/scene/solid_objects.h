@@ -18,15 +18,13 @@ class SolidObjects {
   /// what is not listed, null included. It is the same from wherever one looks, and what lies all
   /// inside another has the smaller one.
   double volumeOf(const Object3D* object) const;
-  /// The world box of all of them, in world units; empty where there are none.
-  const BoundingBox& box() const { return box_; }
-  /// True where `point`, in world space, is further than `distance` >= 0 and all rounding from that
-  /// box; always true where there are no solids. A NaN coordinate is beyond no side.
+  /// True where `point`, in world space, is further than `distance` >= 0 and all rounding from the
+  /// box around all of them; always true where there are none. A NaN coordinate is beyond no side.
   bool areBeyond(const Vec3d& point, double distance) const;
 
  private:
   std::unordered_map<const Object3D*, double> volumes_;  // only looked up, never walked through
-  BoundingBox box_;
+  BoundingBox box_;  // of all of them, in the world; empty where there are none
 };
 
 /// Takes a sphere, or a mesh (`mesh` is null for a sphere), and how it stands in the world.

@@ -22,9 +22,7 @@ namespace {
 constexpr std::size_t kShownPath = 200;
 constexpr std::size_t kLongestPath = 4096;  // no system finds a file of a longer name
 
-}  // namespace
-
-/// In quotes, \" stands for a quote.
+/// A name without the quotes around it, in which \" stands for a quote.
 std::string unquoted(std::string_view name) {
   if (name.size() < 2 || name[0] != '"') return std::string(name);
   std::string text;
@@ -34,6 +32,8 @@ std::string unquoted(std::string_view name) {
   }
   return text;
 }
+
+}  // namespace
 
 std::size_t NamedFiles::find(std::string_view name, const char* at, const Reader& read) {
   auto known = byName_.find(name);

@@ -58,9 +58,6 @@ class NamedFiles {
   std::map<std::string, std::size_t> byPath_;               // numbers
 };
 
-/// A name without the quotes around it, in which \" stands for a quote.
-std::string unquoted(std::string_view name);
-
 /// The meshes that a scene names, each file read once.
 class MeshLibrary {
  public:
