@@ -10,9 +10,9 @@
 #include "scene/scene_reader.h"
 
 NodeReader::NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects,
-                       AddLight addLight)
-    : in_(in), materials_(materials), objects_(objects), addLight_(std::move(addLight)) {
-  if (in_.hasNodes()) findMaterials();
+                       SceneReader& scene)
+    : in_(in), materials_(materials), objects_(objects), scene_(scene) {
+  findMaterials();
 }
 
 /// What the node changes for those in it, its Transform and material, is undone behind it.
@@ -138,5 +138,5 @@ void NodeReader::readLight() {
   std::size_t type = 0;
   if (!openComponent(kLightTypes, type)) return;
   const Fields fields = in_.readFields("Component<Light>", {kLightBlocks[type]}, {}, at);
-  if (fields.areGood) addLight_(at, fields, &toWorld_);
+  if (fields.areGood) scene_.addLight(at, fields, &toWorld_);
 }

@@ -131,7 +131,6 @@ void SceneReader::readLights() {
   });
 }
 
-/// Lights keep their places in the world: `toWorld` is null where a light's place is there.
 void SceneReader::addLight(const char* at, const Fields& fields, const Matrix* toWorld) {
   notes_.lightStarts.push_back(at);
   const Vec3f color = fields["color"].color();
@@ -177,10 +176,7 @@ void SceneReader::readGroup() {
 void SceneReader::readNodes() {
   hasGroup_ = true;
   lightsAt_ = in_.at();
-  NodeReader nodes(in_, materials_, objects_,
-                   [this](const char* at, const Fields& fields, const Matrix* toWorld) {
-                     addLight(at, fields, toWorld);
-                   });
+  NodeReader nodes(in_, materials_, objects_, *this);
   if (const Object3D* scene = nodes.read()) scene_.group_.addObject(scene);
 }
 

@@ -6,7 +6,6 @@
 // things stand and which materials are used (SceneNotes; see scene_review.cpp).
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -191,15 +190,14 @@ bool readSteps(FieldReader& in, WordList allowed, bool mustInvert, Matrix& produ
 /// none.
 bool checkInverse(FieldReader& in, const char* at, const Matrix& product);
 
+class SceneReader;
+
 /// Reads the Scene of 2020: nodes that hold components and other nodes. A Node's Transform and
 /// material hold for all in it; the objects of a Node are a Group.
 class NodeReader {
  public:
-  /// Makes the light at `at`, which has these fields and stands so in the world.
-  using AddLight = std::function<void(const char* at, const Fields& fields, const Matrix* toWorld)>;
-
-  /// All must outlive the reader.
-  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, AddLight addLight);
+  /// All must outlive the reader. Lights are added to `scene`.
+  NodeReader(FieldReader& in, MaterialReader& materials, ObjectReader& objects, SceneReader& scene);
 
   /// The Scene or Node whose name is the current word; null where it is nested too deep. The scene
   /// owns the result.
@@ -224,7 +222,7 @@ class NodeReader {
   FieldReader& in_;
   MaterialReader& materials_;
   ObjectReader& objects_;
-  const AddLight addLight_;
+  SceneReader& scene_;
   std::map<const char*, int> materialsAhead_;  // the first index in each node, by its name's place
   Matrix toWorld_;                             // of the node that is being read
   int depth_ = 0;
@@ -240,13 +238,16 @@ class SceneReader {
   /// Reads everything; mistakes go to the log.
   void read();
 
+  /// Adds the light at `at`, which has these fields, to the scene. Lights keep their places in the
+  /// world: `toWorld` is null where a light's place is there.
+  void addLight(const char* at, const Fields& fields, const Matrix* toWorld);
+
  private:
   void readSection();
   void readMisplaced();
   void readCamera();
   CameraFrame frameOf(const Value& direction, const Value& up) const;
   void readLights();
-  void addLight(const char* at, const Fields& fields, const Matrix* toWorld);
   void readBackground();
   void readMaterials();
   void readGroup();
