@@ -58,9 +58,8 @@ Vec3d measureFromMiddle(const std::vector<Vec3d>& places,
   for (const MeshGeometry::Face& face : faces) {
     for (const std::uint32_t vertex : face) box.extend(places[vertex]);
   }
-  const double farthest = std::max(maxAbs(box.low()), maxAbs(box.high()));
-  const double unit =
-      std::ldexp(1, std::ilogb(std::max({box.longestSide(), farthest * 0x1p-50, 0x1p-1000})));
+  const double size = std::max({box.longestSide(), box.extent() * 0x1p-50, 0x1p-1000});
+  const double unit = std::ldexp(1, std::ilogb(size));
   Vec3d origin;
   for (int axis = 0; axis < 3; ++axis) {
     origin[axis] = std::floor((box.low()[axis] + box.high()[axis]) / (2 * unit) + 0.5) * unit;

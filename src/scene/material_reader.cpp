@@ -187,7 +187,7 @@ const DiffuseMap* MaterialReader::readNoise() {
     const char* const at = in_.at();
     double rgb[3];
     if (!in_.readNumbers(name, rgb, 3, true)) return false;
-    colors.emplace_back(Vec3d(rgb[0], rgb[1], rgb[2]));
+    colors.emplace_back(Vec3d::of(rgb));
     if (colors.size() > 2) in_.reportFound(at, "two color in Noise");
     return colors.size() <= 2;
   });

@@ -6,7 +6,7 @@
 // left out; what stands around it is read on.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <sstream>
 
 #include "geometry/plane.h"
 #include "geometry/sphere.h"
@@ -150,13 +150,9 @@ bool hasInverse(const Matrix& matrix) {
 }
 
 std::string shown(const double* numbers, std::size_t count) {
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, " %g", numbers[i]);
-    text += number;
-  }
-  return text;
+  std::ostringstream text;
+  for (std::size_t i = 0; i < count; ++i) text << ' ' << numbers[i];
+  return text.str();
 }
 
 /// What is wrong with a step, or nothing: then `matrix` is what it does.

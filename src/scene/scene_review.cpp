@@ -144,11 +144,8 @@ class SceneWalk {
   void visitMesh(const TriangleMesh& mesh, const View& view, const Points& points) {
     BoundingBox box;
     mesh.getGeometry().addBounds(Matrix(), box);
-    double farthest = view.offset;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double n = view.normal[axis];
-      farthest += n * (n > 0 ? box.high() : box.low())[axis];
-    }
+    const Vec3d reach = largest(view.normal * box.low(), view.normal * box.high());
+    const double farthest = view.offset + reach.x() + reach.y() + reach.z();
     note(mesh, farthest <= 0 && !box.isEmpty());
     if (box.isEmpty() || !mayEnclose(*mesh.getMaterial())) return;
     findEnclosed(mesh, points, [&](const Vec3d& p) {

@@ -56,11 +56,10 @@ double SolidObjects::volumeOf(const Object3D* object) const {
 
 bool SolidObjects::areBeyond(const Vec3d& point, double distance) const {
   if (box_.isEmpty()) return true;
-  const double margin =
-      distance + kMargin * std::max({maxAbs(box_.low()), maxAbs(box_.high()), maxAbs(point)});
+  const double rounding = kMargin * std::max(box_.extent(), maxAbs(point));
+  const BoundingBox around = box_.widened(distance + rounding);
   for (int axis = 0; axis < 3; ++axis) {
-    const double x = point[axis];
-    if (x < box_.low()[axis] - margin || x > box_.high()[axis] + margin) return true;
+    if (point[axis] < around.low()[axis] || point[axis] > around.high()[axis]) return true;
   }
   return false;
 }
