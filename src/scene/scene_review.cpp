@@ -230,19 +230,19 @@ void SceneNotes::review(const SceneParser& scene, const std::vector<Note>& brigh
 
 namespace {
 
-/// The least distance, up to `most`, at which a0 + a1 s + a2 s^2 is not above 0, that of the light
-/// itself left out; infinity where there is none.
-double darkDistance(const Vec3d& a, double most) {
+/// The least distance at which a0 + a1 s + a2 s^2 is not above 0, that of the light itself left
+/// out; infinity where there is none.
+double darkDistance(const Vec3d& a) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const bool isDarkAtOnce = a.x() < 0 || (a.x() == 0 && (a.y() < 0 || (a.y() == 0 && a.z() <= 0)));
   if (isDarkAtOnce) return 0;
   const double squared = a.y() * a.y() - 4 * a.x() * a.z();
-  if (a.z() == 0) return a.y() < 0 && -a.x() / a.y() <= most ? -a.x() / a.y() : kNever;
+  if (a.z() == 0) return a.y() < 0 ? -a.x() / a.y() : kNever;
   if (squared < 0) return kNever;
   double least = kNever;
   for (const double sign : {-1.0, 1.0}) {
     const double root = (-a.y() + sign * std::sqrt(squared)) / (2 * a.z());
-    if (root > 0 && root <= most) least = std::min(least, root);
+    if (root > 0) least = std::min(least, root);
   }
   return least;
 }
@@ -252,21 +252,18 @@ double darkDistance(const Vec3d& a, double most) {
 /// Of point lights whose attenuation turns the light off, or would make it negative, somewhere in
 /// the scene.
 void SceneNotes::warnOfDarkLights(const SceneParser& scene) {
-  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   std::vector<Note> notes;
   for (int i = 0; i < scene.getNumLights(); ++i) {
     const auto* const light = dynamic_cast<const PointLight*>(scene.getLight(i));
-    if (!light || !std::isfinite(darkDistance(light->getAttenuation(), kAnywhere))) continue;
+    if (!light) continue;
+    const double distance = darkDistance(light->getAttenuation());
+    if (!std::isfinite(distance)) continue;
     // Seldom: only then are all objects walked through.
     BoundingBox box;
     scene.getGroup()->addBounds(Matrix(), box);
-    double farthest = kAnywhere;
-    if (!box.isEmpty()) {
-      const Vec3d place = light->getPosition();
-      farthest = length(largest(box.high() - place, place - box.low()));
-    }
-    const double distance = darkDistance(light->getAttenuation(), farthest);
-    if (!std::isfinite(distance)) continue;
+    const Vec3d place = light->getPosition();
+    const double farthest = length(largest(box.high() - place, place - box.low()));
+    if (!box.isEmpty() && distance > farthest) continue;
     std::ostringstream text;
     text << "the light's attenuation is not above 0 "
          << (distance == 0 ? "near it" : "at a distance of ");
