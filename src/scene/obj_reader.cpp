@@ -34,6 +34,7 @@ std::vector<ObjChunk> readChunks(const OpenFile& file, const ObjReading& how) {
       if (!statements) throw IsUnclear();
       chunk.clear();
       readObjChunk(*statements, {}, fail, chunk);
+      if (!chunk.slivers.empty()) throw IsUnclear();
       chunks[number] = chunk;
     };
   };
@@ -180,11 +181,6 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
   if (!file.isOpen() || file.regularSize() < 0) return false;
   try {
     std::vector<ObjChunk> chunks = readChunks(file, how);
-    const auto isAnyNot = [&](const auto& list) {
-      return std::any_of(chunks.begin(), chunks.end(),
-                         [&](const ObjChunk& chunk) { return !(chunk.*list).empty(); });
-    };
-    if (isAnyNot(&ObjChunk::slivers)) return false;
     MeshGeometry joined = join(chunks, how.threads, [&](std::vector<Vec3d>& places) {
       std::vector<char> buffer;
       for (std::size_t number = 0; number < chunks.size(); ++number) {
@@ -193,7 +189,8 @@ bool readObjFile(const std::string& filename, const ObjReading& how, MeshGeometr
         readObjPlaces(*statements, places);
       }
     });
-    if (isAnyNot(&ObjChunk::polygons)) return false;
+    const auto isCrossing = [](const ObjChunk& chunk) { return !chunk.polygons.empty(); };
+    if (std::any_of(chunks.begin(), chunks.end(), isCrossing)) return false;
     mesh = std::move(joined);
     return true;
   } catch (const IsUnclear&) {
