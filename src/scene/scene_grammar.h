@@ -197,19 +197,14 @@ inline constexpr WordArray<6> kObjectWords = {"Group", "Transform", "Sphere",
 /// What may stand in a Group after its count.
 inline constexpr auto kGroupWords =
     bothOf(kObjectWords, bothOf(WordArray<1>{"MaterialIndex"}, kMaterialWords));
-/// So many steps from one on.
-template <std::size_t first, std::size_t count>
-constexpr WordArray<count> stepNames() {
-  WordArray<count> words{};
-  for (std::size_t i = 0; i < count; ++i) words[i] = kSteps[first + i].name;
-  return words;
-}
 /// All that may stand in the Transform of a texture, and what may in that of an object.
-inline constexpr auto kStepWords = stepNames<0, 8>();
+inline constexpr WordArray<8> kStepWords = {"Translate", "Scale",   "UniformScale", "XRotate",
+                                            "YRotate",   "ZRotate", "Rotate",       "Matrix"};
 inline constexpr auto kTransformWords = bothOf(kStepWords, kObjectWords);
 /// In 2020: the sections, the steps of a Transform, and what may stand in a Node.
 inline constexpr WordArray<4> kNodeSectionWords = {"Background", "Camera", "Materials", "Scene"};
-inline constexpr auto kNodeStepWords = stepNames<9, 5>();
+inline constexpr WordArray<5> kNodeStepWords = {"translate", "scale", "x_rotate", "y_rotate",
+                                                "z_rotate"};
 inline constexpr WordArray<5> kNodeWords = {"Transform", "Component<Material>", "Component<Object>",
                                             "Component<Light>", "Node"};
 /// What places on the way to an object are called.
