@@ -7,7 +7,7 @@
 // thing" to "cut off", so that a user with hundreds of files sees at once what happened to one.
 //
 // Then it is checked whether the parts cover the picture, and their pixels are read. Both go down
-// the picture with the same list, PartsInRow: the parts that hold pixels of the row at hand. From
+// the picture with the same list, rowsOf: the parts that hold pixels of the row at hand. From
 // left to right each part must begin where the one before ended. Where it begins later there is a
 // gap, where it begins earlier two parts overlap.
 #include <algorithm>
@@ -120,28 +120,21 @@ Part readPart(const std::string& path) {
                         size, " bytes"));
 }
 
-/// The parts that hold pixels of a row, from left to right.
-class PartsInRow {
- public:
-  using Row = std::multimap<int, const Part*>;  // by their left ends
+/// The parts that hold pixels of a row, from left to right, by their left ends.
+using Row = std::multimap<int, const Part*>;
 
-  /// `parts` are in the order of their tops, those of the same top of their left ends. Not owned.
-  explicit PartsInRow(const Parts& parts) : next_(parts.begin()), end_(parts.end()) {}
-
-  /// To be called for each row from the top down.
-  const Row& goTo(int y) {
-    for (auto part = row_.begin(); part != row_.end();) {
-      part = part->second->bottom <= y ? row_.erase(part) : std::next(part);
+/// A function that gives the parts of row `y`, to be called for each row from the top down. `parts`
+/// are in the order of their tops, those of the same top of their left ends. Not owned.
+auto rowsOf(const Parts& parts) {
+  // `next` is the first part that no row has reached.
+  return [row = Row(), next = parts.begin(), end = parts.end()](int y) mutable -> const Row& {
+    for (auto part = row.begin(); part != row.end();) {
+      part = part->second->bottom <= y ? row.erase(part) : std::next(part);
     }
-    for (; next_ != end_ && next_->top == y; ++next_) row_.emplace(next_->left, &*next_);
-    return row_;
-  }
-
- private:
-  Parts::const_iterator next_;  // the first part that no row has reached
-  const Parts::const_iterator end_;
-  Row row_;
-};
+    for (; next != end && next->top == y; ++next) row.emplace(next->left, &*next);
+    return row;
+  };
+}
 
 /// "row 3", or "rows 3 to 7": `to` is the first one that no longer belongs.
 std::string spanText(const char* one, int from, int to) {
@@ -155,68 +148,59 @@ std::string areaText(const Area& area, int width) {
   return spanText("pixel", area.left, area.right) + " of " + rows;
 }
 
-/// Whether parts make up a whole picture: which files overlap and where, which pixels no part holds
-/// and the argument that would render them. At most kMostComplaints of each are found.
-class Cover {
- public:
-  Cover(const Parts& parts, const PartId& whole) : width_(whole.width) {
-    PartsInRow inRow(parts);
-    for (int y = 0; y < whole.height; ++y) checkRow(y, inRow.goTo(y));
-    for (const Area& gap : gaps_) report(gap);
+std::string overlapText(const Part& a, const Part& b, int width) {
+  const Area both = {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+                     std::min(a.bottom, b.bottom)};
+  return a.path + " and " + b.path + ": expected parts that do not overlap, found " +
+         areaText(both, width) + " in both";
+}
+
+/// With the argument that would render it: -region takes X Y W H.
+std::string gapText(const Area& gap, int width) {
+  const int rows = gap.bottom - gap.top;
+  const bool isOne = rows == 1 && gap.left == 0 && gap.right == width;
+  return joined("no part holds ", areaText(gap, width), "; -region ", gap.left, ' ', gap.top, ' ',
+                gap.right - gap.left, ' ', rows, " renders ", isOne ? "it" : "them");
+}
+
+/// Joined to a gap of the same pixels in the row above. At most kMostComplaints are kept.
+void addGap(const Area& area, std::vector<Area>& gaps) {
+  for (Area& gap : gaps) {
+    if (gap.bottom != area.top || gap.left != area.left || gap.right != area.right) continue;
+    gap.bottom = area.bottom;
+    return;
   }
+  if (gaps.size() < kMostComplaints) gaps.push_back(area);
+}
 
-  /// Empty where each pixel is in one part.
-  const std::vector<std::string>& mistakes() const { return mistakes_; }
-
- private:
-  /// From left to right, `end` being the first pixel that no part so far holds. A part may lie
-  /// inside an earlier one, which then still reaches furthest.
-  void checkRow(int y, const PartsInRow::Row& row) {
+/// Whether parts make up a whole picture: which files overlap and where, which pixels no part
+/// holds. At most kMostComplaints of each are found; none where each pixel is in one part. Each two
+/// parts are told of once, although they may meet in many rows.
+std::vector<std::string> coverMistakes(const Parts& parts, const PartId& whole) {
+  std::vector<std::string> mistakes;
+  std::vector<Area> gaps;
+  std::set<std::pair<const Part*, const Part*>> overlapping;
+  auto rowAt = rowsOf(parts);
+  for (int y = 0; y < whole.height; ++y) {
+    // From left to right, `end` being the first pixel that no part so far holds. A part may lie
+    // inside an earlier one, which then still reaches furthest.
     int end = 0;
     const Part* reaching = nullptr;  // the part that ends there
-    for (const auto& [x, part] : row) {
-      if (x > end) addGap({end, y, x, y + 1});
-      if (x < end) addOverlap(*reaching, *part);
+    for (const auto& [x, part] : rowAt(y)) {
+      if (x > end) addGap({end, y, x, y + 1}, gaps);
+      if (x < end && overlapping.size() < kMostComplaints &&
+          overlapping.insert({reaching, part}).second) {
+        mistakes.push_back(overlapText(*reaching, *part, whole.width));
+      }
       if (part->right <= end) continue;
       end = part->right;
       reaching = part;
     }
-    if (end < width_) addGap({end, y, width_, y + 1});
+    if (end < whole.width) addGap({end, y, whole.width, y + 1}, gaps);
   }
-
-  /// Joined to a gap of the same pixels in the row above.
-  void addGap(const Area& area) {
-    for (Area& gap : gaps_) {
-      if (gap.bottom != area.top || gap.left != area.left || gap.right != area.right) continue;
-      gap.bottom = area.bottom;
-      return;
-    }
-    if (gaps_.size() < kMostComplaints) gaps_.push_back(area);
-  }
-
-  /// Each two parts are told of once, although they may meet in many rows.
-  void addOverlap(const Part& a, const Part& b) {
-    if (mistakes_.size() >= kMostComplaints || !overlapping_.insert({&a, &b}).second) return;
-    const Area both = {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
-                       std::min(a.bottom, b.bottom)};
-    mistakes_.push_back(a.path + " and " + b.path + ": expected parts that do not overlap, found " +
-                        areaText(both, width_) + " in both");
-  }
-
-  /// -region takes X Y W H.
-  void report(const Area& gap) {
-    const int rows = gap.bottom - gap.top;
-    const bool isOne = rows == 1 && gap.left == 0 && gap.right == width_;
-    mistakes_.push_back(joined("no part holds ", areaText(gap, width_), "; -region ", gap.left, ' ',
-                               gap.top, ' ', gap.right - gap.left, ' ', rows, " renders ",
-                               isOne ? "it" : "them"));
-  }
-
-  const int width_;
-  std::vector<Area> gaps_;
-  std::set<std::pair<const Part*, const Part*>> overlapping_;
-  std::vector<std::string> mistakes_;
-};
+  for (const Area& gap : gaps) mistakes.push_back(gapText(gap, whole.width));
+  return mistakes;
+}
 
 /// Leaves the files that are no parts out, and says so in `mistakes`.
 Parts readParts(const std::vector<std::string>& paths, std::vector<std::string>& mistakes) {
@@ -255,15 +239,15 @@ void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
   }
 }
 
-/// `parts` cover the picture, in the order that PartsInRow wants. A TGA needs no more than a row in
+/// `parts` cover the picture, in the order that rowsOf wants. A TGA needs no more than a row in
 /// memory.
 void write(const Parts& parts, const std::string& path) {
   const int width = parts[0].id.width, height = parts[0].id.height;
-  PartsInRow inRow(parts);
+  auto partsAt = rowsOf(parts);
   Bytes row(3 * std::size_t(width));  // BGR
   std::map<const Part*, OpenFile> files;
   const auto rowAt = [&](int y) -> const Bytes& {
-    for (const auto& [x, part] : inRow.goTo(y)) {
+    for (const auto& [x, part] : partsAt(y)) {
       // Files stay open for the rows to come, until there are too many: then all are closed.
       if (files.size() == kMostOpen && files.count(part) == 0) files.clear();
       const OpenFile& file = files.try_emplace(part, part->path).first->second;
@@ -300,7 +284,7 @@ int runMerge(const MergeRequest& request) {
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
       return std::tie(a.top, a.left, a.path) < std::tie(b.top, b.left, b.path);
     });
-    mistakes = Cover(parts, parts[0].id).mistakes();
+    mistakes = coverMistakes(parts, parts[0].id);
   }
   if (mistakes.empty()) {
     write(parts, request.output);
