@@ -32,8 +32,7 @@ constexpr std::uint64_t kLayout = 3;
 constexpr char kTitle[32] = "raytracer checkpoint 3\n";
 constexpr char kMark[4] = {'T', 'i', 'l', 'e'};
 constexpr std::size_t kHeadSize = sizeof kMark + sizeof(std::uint32_t);
-constexpr std::size_t kSearchPiece = 4096;
-/// So much damage in one place is looked through for whole records, no more.
+/// So much damage is looked through for whole records, no more.
 constexpr off_t kMostDamage = off_t(64) << 20;
 
 /// Throws OutputError where no file can be made there.
@@ -182,50 +181,47 @@ Bytes Checkpoint::recordOf(std::uint32_t tile) const {
   return record;
 }
 
-/// Sets the pixels of the tile whose whole record begins with the mark at `at`; false where there
-/// is none. In either case `record` has about as many bytes as were read.
-bool Checkpoint::takeRecord(off_t at, Bytes& record) {
-  record.resize(kHeadSize);
-  if (readAt(at, record) < kHeadSize) return false;
+/// Sets the pixels of the tile whose whole record the first `size` bytes begin with, and returns
+/// how many are that record's; 0 where there is none.
+std::size_t Checkpoint::takeRecord(const Bytes& bytes, std::size_t size) {
+  if (size < kHeadSize || std::memcmp(bytes.data(), kMark, sizeof kMark) != 0) return 0;
   std::uint32_t tile;
-  std::memcpy(&tile, &record[sizeof kMark], sizeof tile);
-  if (tile >= found_.size()) return false;
+  std::memcpy(&tile, &bytes[sizeof kMark], sizeof tile);
+  if (tile >= found_.size()) return 0;
   const std::vector<PixelBytes> rows = targets_.rowsOf(tiling_.areaOf(int(tile)));
-  std::size_t size = kHeadSize;
-  for (const PixelBytes& row : rows) size += row.size;
-  record.resize(size + sizeof(Digest));
-  if (readAt(at, record) < record.size()) return false;
-  const Digest sum = checksumOf(record.data(), size);
-  if (!std::equal(sum.begin(), sum.end(), &record[size])) return false;
-  const std::uint8_t* next = &record[kHeadSize];
+  std::size_t summed = kHeadSize;
+  for (const PixelBytes& row : rows) summed += row.size;
+  if (size < summed + sizeof(Digest)) return 0;
+  const Digest sum = checksumOf(bytes.data(), summed);
+  if (!std::equal(sum.begin(), sum.end(), &bytes[summed])) return 0;
+  const std::uint8_t* next = &bytes[kHeadSize];
   for (const PixelBytes& row : rows) {
     std::memcpy(row.bytes, next, row.size);
     next += row.size;
   }
   found_[tile] = true;
-  return true;
+  return summed + sizeof(Digest);
 }
 
-/// The mark is looked for in pieces that overlap by so much that none is cut. Each mark that begins
-/// no whole record may cost the reading and hashing of a tile: a file made of nothing but marks
-/// would keep us busy for the square of its size, and is left at kMostDamage.
+/// In pieces that hold the longest record, which the first tile's is, and the mark behind it. Where
+/// one begins with no whole record, the next one begins with the next mark, of which none is cut.
+/// Each mark that begins no whole record may cost the reading and hashing of a tile: a file made of
+/// nothing but marks would keep us busy for the square of its size, and is left at kMostDamage.
 void Checkpoint::readTiles() {
-  Bytes piece(kSearchPiece), record;
+  Bytes piece(recordOf(0).size() + sizeof kMark);
   off_t at = end_, inVain = 0;  // bytes read without finding a record
-  while (at < end_ + kMostDamage && inVain < kMostDamage) {
+  while (inVain < kMostDamage) {
     const std::size_t size = readAt(at, piece);
-    const auto end = piece.begin() + std::ptrdiff_t(size);
-    const auto mark = std::search(piece.begin(), end, std::begin(kMark), std::end(kMark));
-    if (mark == end && size < kSearchPiece) break;
-    at += std::min(mark - piece.begin(), std::ptrdiff_t(kSearchPiece - sizeof kMark + 1));
-    if (mark == end) continue;
-    if (!takeRecord(at, record)) {
-      inVain += off_t(size + record.size());
-      ++at;
+    if (size == 0) break;
+    if (const std::size_t whole = takeRecord(piece, size)) {
+      damaged_ = damaged_ || at > end_;
+      end_ = at += off_t(whole);
       continue;
     }
-    damaged_ = damaged_ || at > end_;
-    end_ = at += off_t(record.size());
+    const auto end = piece.begin() + std::ptrdiff_t(size);
+    const auto mark = std::search(piece.begin() + 1, end, std::begin(kMark), std::end(kMark));
+    at += std::min(mark - piece.begin(), std::ptrdiff_t(piece.size() - sizeof kMark + 1));
+    inVain += off_t(size);
   }
   if (ftruncate(file_.descriptor(), end_) != 0) fail(errno);
 }

@@ -41,7 +41,7 @@ class Checkpoint : public TileStore {
   void checkHeader();
   void readTiles();
   std::size_t readAt(off_t offset, Bytes& target) const;
-  bool takeRecord(off_t at, Bytes& record);
+  std::size_t takeRecord(const Bytes& bytes, std::size_t size);
   Bytes recordOf(std::uint32_t tile) const;
   Digest checksumOf(const std::uint8_t* record, std::size_t size) const;
   void write(const Bytes& bytes);
