@@ -243,12 +243,10 @@ const std::vector<ArgumentRow>& argumentTable() {
 }
 
 const ArgumentRow* findArgument(const std::string& name) {
-  const std::vector<ArgumentRow>& table = argumentTable();
-  const auto isCalledSo = [&](const ArgumentRow& row) {
-    return name == row.name || (name == row.otherName && !name.empty());
-  };
-  const auto found = std::find_if(table.begin(), table.end(), isCalledSo);
-  return found != table.end() ? &*found : nullptr;
+  for (const ArgumentRow& row : argumentTable()) {
+    if (!name.empty() && (name == row.name || name == row.otherName)) return &row;
+  }
+  return nullptr;
 }
 
 void ArgumentWords::fail(std::size_t index, const std::string& expected) const {

@@ -11,6 +11,7 @@
 #include "image/comparison.h"
 
 struct ComparedPair {
+  /// From good to bad.
   enum class Result { same, different, missing, unexpected, unreadable };
   struct Size {
     int width = 0, height = 0;  ///< pixels; 0 where the picture could not be read

@@ -26,7 +26,7 @@ using Names = std::vector<std::string>;
 using Pairs = std::vector<ComparedPair>;
 using Result = ComparedPair::Result;
 
-/// Exit status; the greatest one of all pairs is the program's.
+/// Exit status; the worst of all pairs decides.
 enum CompareStatus { kSame = 0, kDifferent = 1, kUnreadable = 3 };
 
 /// False too where there is nothing, or it cannot be looked at: reading it then says why.
@@ -117,7 +117,12 @@ std::string attempt(const std::string& purpose, const Work& work) {
   }
 }
 
-ReadPicture read(const std::string& file) {
+/// A pipe that is named may be meant; one that lies in a folder would be waited for in vain.
+ReadPicture read(const std::string& file, bool isNamed) {
+  std::error_code ignored;
+  if (!isNamed && fs::is_fifo(file, ignored)) {
+    throw ImageError(file, "expected a file, found a pipe");
+  }
   ReadPicture picture;
   picture.image = readImage(file, &picture.exact);
   return picture;
@@ -146,17 +151,11 @@ void comparePictures(const ReadPicture& expected, const ReadPicture& actual,
 /// is null. Where a file cannot be read the pair is unreadable and says why.
 void comparePair(const CompareRequest& request, const ReadPicture* rendered, ComparedPair& pair) {
   if (pair.isAtFault()) return;
-  // A pipe that is named may be meant; one that lies in a folder would be waited for in vain.
   const bool isNamed = !isFolder(request.expected);
-  const auto readFile = [isNamed](const std::string& path) {
-    std::error_code ignored;
-    if (isNamed || !fs::is_fifo(path, ignored)) return read(path);
-    throw ImageError(path, "expected a file, found a pipe");
-  };
   const std::string fault = attempt("to compare " + pair.name, [&] {
-    const ReadPicture expected = readFile(pair.expected);
-    const ReadPicture actual = rendered ? ReadPicture() : readFile(pair.actual);
-    comparePictures(expected, rendered ? *rendered : actual, request, pair);
+    const ReadPicture expected = read(pair.expected, isNamed);
+    if (rendered) return comparePictures(expected, *rendered, request, pair);
+    comparePictures(expected, read(pair.actual, isNamed), request, pair);
   });
   if (fault.empty()) return;
   pair.result = Result::unreadable;
@@ -241,14 +240,11 @@ Pairs compareAll(const CompareRequest& request, const RunRequest& run) {
   return pairs;
 }
 
-/// The worst of all pairs.
+/// Results stand in the order of their badness.
 int statusOf(const Pairs& pairs) {
-  int status = kSame;
-  for (const ComparedPair& pair : pairs) {
-    const int found = pair.result == Result::unreadable ? kUnreadable : kDifferent;
-    if (pair.result != Result::same) status = std::max(status, found);
-  }
-  return status;
+  Result worst = Result::same;
+  for (const ComparedPair& pair : pairs) worst = std::max(worst, pair.result);
+  return worst == Result::same ? kSame : worst == Result::unreadable ? kUnreadable : kDifferent;
 }
 
 /// False where one of the files cannot be written, which has then been said; the others are written
