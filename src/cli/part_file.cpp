@@ -97,9 +97,8 @@ Digest fileDigest(const std::string& path, int threads) {
   return hash.finish();
 }
 
-Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
-                          const Digest& scene, const std::vector<std::string>& inputFiles,
-                          int threads) {
+Digest pictureFingerprint(const RenderRequest& render, const Digest& scene,
+                          const std::vector<std::string>& inputFiles, int threads) {
   Sha256 hash;
   addText(versionText(), hash);
   hash.add(scene);
@@ -110,8 +109,8 @@ Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenA
     if (isNew) found->second = fileDigest(file, threads);
     hash.add(found->second);
   }
-  addPictures(results, hash);
-  addArguments(given, hash);
+  addPictures(render.results, hash);
+  addArguments(render.given, hash);
   return hash.finish();
 }
 
@@ -124,14 +123,13 @@ TgaPart tgaPartOf(const OutputRequest& output, const RenderRequest& render, cons
   static constexpr const char* kKinds[] = {"color", "depth", "normals"};
   static constexpr std::string_view kPlaces[] = {"size", "region", "tile"};
   assert(output.kind <= Kind::normals);
-  std::vector<GivenArgument> given;
-  for (const GivenArgument& argument : render.given) {
-    if (!isOneOf(argument.name, kPlaces)) given.push_back(argument);
-  }
-  // As if the run had been for this output alone.
-  ResultRequest alone;
-  alone.outputs = {output};
-  const Digest digest = pictureFingerprint(alone, given, scene, inputFiles, threads);
+  // As if the run had been for this output alone, and wherever its part lies.
+  RenderRequest alone = render;
+  alone.results.outputs = {output};
+  const auto isPlace = [](const GivenArgument& given) { return isOneOf(given.name, kPlaces); };
+  alone.given.erase(std::remove_if(alone.given.begin(), alone.given.end(), isPlace),
+                    alone.given.end());
+  const Digest digest = pictureFingerprint(alone, scene, inputFiles, threads);
   const PictureRequest& picture = render.picture;
   const PartId id = {kKinds[int(output.kind)], picture.width, picture.height, hexadecimal(digest)};
   return {picture.area.left, picture.height - picture.area.top, textOf(id)};

@@ -9,15 +9,15 @@
 #include "image/picture_file.h"
 #include "system/sha256.h"
 
-/// The fingerprint: the digest of the program's version, the scene's bytes (`scene` is their
-/// digest), all bytes of `inputFiles` (in an order that the scene gives, which may name one twice),
-/// which pictures are wanted, and every argument as it was given but those that change no pixel
-/// (ArgumentAction::changesPixels) and the files' names. Two ways of saying the same (a default
-/// that is given, 5 and 5.0) are different. Files are hashed on so many threads; one that cannot be
-/// read, or is no plain file that could be read twice, throws std::runtime_error.
-Digest pictureFingerprint(const ResultRequest& results, const std::vector<GivenArgument>& given,
-                          const Digest& scene, const std::vector<std::string>& inputFiles,
-                          int threads);
+/// The fingerprint of what `render` asks for: the digest of the program's version, the scene's
+/// bytes (`scene` is their digest), all bytes of `inputFiles` (in an order that the scene gives,
+/// which may name one twice), which pictures are wanted, and every argument as it was given but
+/// those that change no pixel (ArgumentAction::changesPixels) and the files' names. Two ways of
+/// saying the same (a default that is given, 5 and 5.0) are different. Files are hashed on so many
+/// threads; one that cannot be read, or is no plain file that could be read twice, throws
+/// std::runtime_error.
+Digest pictureFingerprint(const RenderRequest& render, const Digest& scene,
+                          const std::vector<std::string>& inputFiles, int threads);
 
 /// The digest of a plain file's digests: those of its pieces of 1 MB in order, then its size.
 /// Throws std::runtime_error. (Public for its test.)

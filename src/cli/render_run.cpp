@@ -125,8 +125,8 @@ class RenderRun {
   }
 
   void openCheckpoint(RenderTargets& targets) {
-    const Digest fingerprint = pictureFingerprint(request_.results, request_.given, notes_.digest,
-                                                  scene_.getInputFiles(), run_.threads);
+    const Digest fingerprint =
+        pictureFingerprint(request_, notes_.digest, scene_.getInputFiles(), run_.threads);
     checkpoint_ = std::make_unique<Checkpoint>(run_.checkpoint, fingerprint, targets);
     if (!run_.quiet) checkpoint_->tell();
     targets.store = checkpoint_.get();

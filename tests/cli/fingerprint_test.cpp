@@ -17,8 +17,7 @@ RenderRequest parse(const std::string& words) {
 Digest of(const std::string& words, const std::vector<std::string>& meshes = {},
           const std::string& scene = "scene") {
   const RenderRequest render = parse(words);
-  return pictureFingerprint(render.results, render.given, sha256(scene.data(), scene.size()),
-                            meshes, 2);
+  return pictureFingerprint(render, sha256(scene.data(), scene.size()), meshes, 2);
 }
 
 }  // namespace
