@@ -8,14 +8,14 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <cstdio>
+#include <iterator>
 #include <system_error>
 
 #include "cli/arguments.h"
 #include "cli/runs.h"
 #include "image/output_file.h"
+#include "system/files.h"
 #include "system/memory.h"
 #include "system/worker_threads.h"
 
@@ -72,24 +72,21 @@ int runProgram(const std::vector<std::string>& words) {
 }
 
 void complain(std::string_view message) {
-  constexpr int kPieces = 3;
-  std::string_view rest[kPieces] = {isLineOpen() ? "\nraytracer: " : "raytracer: ", message, "\n"};
+  const auto piece = [](std::string_view text) {
+    return iovec{const_cast<char*>(text.data()), text.size()};
+  };
+  iovec pieces[] = {piece(isLineOpen() ? "\nraytracer: " : "raytracer: "), piece(message),
+                    piece("\n")};
   setLineOpen(false);
   // As a rule once round: a terminal, file or pipe takes a message as a whole.
-  while (!rest[kPieces - 1].empty()) {
-    iovec pieces[kPieces];
-    for (int i = 0; i < kPieces; ++i) {
-      pieces[i] = {const_cast<char*>(rest[i].data()), rest[i].size()};
-    }
-    const ssize_t written = writev(STDERR_FILENO, pieces, kPieces);
-    if (written < 0 && errno == EINTR) continue;
+  for (iovec* next = pieces;;) {
+    const auto count = int(std::end(pieces) - next);
+    const ssize_t written = uninterrupted([&] { return writev(STDERR_FILENO, next, count); });
     if (written <= 0) return;  // nobody to tell
     auto done = std::size_t(written);
-    for (std::string_view& piece : rest) {
-      const std::size_t taken = std::min(done, piece.size());
-      piece.remove_prefix(taken);
-      done -= taken;
-    }
+    for (; next != std::end(pieces) && done >= next->iov_len; ++next) done -= next->iov_len;
+    if (next == std::end(pieces)) return;
+    *next = piece({static_cast<char*>(next->iov_base) + done, next->iov_len - done});
   }
 }
 
