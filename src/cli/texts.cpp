@@ -127,12 +127,7 @@ std::string topicSection(const HelpTopic& topic) {
     if (wasExample && !isExample) text += ".EE\n";
     isNewParagraph = isNewParagraph || line.empty() || (wasExample && !isExample);
     if (line.empty()) continue;
-    const bool isTitle = !isExample && isHeading(line);
-    if (isTitle) {
-      text += ".SS ";
-    } else if (isNewParagraph) {
-      text += ".PP\n";
-    }
+    text += !isExample && isHeading(line) ? ".SS " : isNewParagraph ? ".PP\n" : "";
     if (isExample && !wasExample) text += ".EX\n";
     text += forTroff(line) + "\n";
     isNewParagraph = false;
