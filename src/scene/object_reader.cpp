@@ -88,7 +88,7 @@ std::unique_ptr<Object3D> ObjectReader::makeShape(std::string_view owner, const 
 }
 
 void ObjectReader::warnOfMesh(const MeshGeometry& mesh, const char* at) {
-  const std::string name = "the mesh " + in_.quotedAt(at) + " ";
+  const std::string name = "the mesh " + quoted(in_.fileNameAt(at)) + " ";
   for (const std::string& warning : meshes_.warnings()) notes_.warn(at, name + warning);
   if (mesh.faceCount() == 0) {
     notes_.warn(at, name + "has no faces: it will not be seen");

@@ -190,6 +190,12 @@ TEST("meshes without faces, and faces without area, are warned of once") {
   CHECK(scenes::contains(scene->getWarnings()[2], "2 triangles without area"));
 }
 
+TEST("a warning names the whole file of a mesh, blanks in it too") {
+  const std::string quoted = '"' + scenes::lastPart(scenes::write("no faces.obj", "")) + '"';
+  const auto scene = scenes::parse(scenes::around(mesh(quoted), 1));
+  CHECK(scenes::contains(scene->getWarnings().at(1), "the mesh '" + quoted + "' has no faces"));
+}
+
 TEST("only meshes of transparent material are asked whether they are closed") {
   const std::string text =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
