@@ -7,7 +7,7 @@
 // thing" to "cut off", so that a user with hundreds of files sees at once what happened to one.
 //
 // Then it is checked whether the parts cover the picture, and their pixels are read. Both go down
-// the picture with the same list, rowsOf: the parts that hold pixels of the row at hand. From
+// the picture with the same list, PartsInRow: the parts that hold pixels of the row at hand. From
 // left to right each part must begin where the one before ended. Where it begins later there is a
 // gap, where it begins earlier two parts overlap.
 #include <algorithm>
@@ -120,21 +120,28 @@ Part readPart(const std::string& path) {
                         size, " bytes"));
 }
 
-/// The parts that hold pixels of a row, from left to right, by their left ends.
-using Row = std::multimap<int, const Part*>;
+/// The parts that hold pixels of a row, from left to right.
+class PartsInRow {
+ public:
+  using Row = std::multimap<int, const Part*>;  // by their left ends
 
-/// A function that gives the parts of row `y`, to be called for each row from the top down. `parts`
-/// are in the order of their tops, those of the same top of their left ends. Not owned.
-auto rowsOf(const Parts& parts) {
-  // `next` is the first part that no row has reached.
-  return [row = Row(), next = parts.begin(), end = parts.end()](int y) mutable -> const Row& {
-    for (auto part = row.begin(); part != row.end();) {
-      part = part->second->bottom <= y ? row.erase(part) : std::next(part);
+  /// `parts` are in the order of their tops, those of the same top of their left ends. Not owned.
+  explicit PartsInRow(const Parts& parts) : next_(parts.begin()), end_(parts.end()) {}
+
+  /// To be called for each row from the top down.
+  const Row& goTo(int y) {
+    for (auto part = row_.begin(); part != row_.end();) {
+      part = part->second->bottom <= y ? row_.erase(part) : std::next(part);
     }
-    for (; next != end && next->top == y; ++next) row.emplace(next->left, &*next);
-    return row;
-  };
-}
+    for (; next_ != end_ && next_->top == y; ++next_) row_.emplace(next_->left, &*next_);
+    return row_;
+  }
+
+ private:
+  Parts::const_iterator next_;  // the first part that no row has reached
+  const Parts::const_iterator end_;
+  Row row_;
+};
 
 /// "row 3", or "rows 3 to 7": `to` is the first one that no longer belongs.
 std::string spanText(const char* one, int from, int to) {
@@ -180,13 +187,13 @@ std::vector<std::string> coverMistakes(const Parts& parts, const PartId& whole) 
   std::vector<std::string> mistakes;
   std::vector<Area> gaps;
   std::set<std::pair<const Part*, const Part*>> overlapping;
-  auto rowAt = rowsOf(parts);
+  PartsInRow inRow(parts);
   for (int y = 0; y < whole.height; ++y) {
     // From left to right, `end` being the first pixel that no part so far holds. A part may lie
     // inside an earlier one, which then still reaches furthest.
     int end = 0;
     const Part* reaching = nullptr;  // the part that ends there
-    for (const auto& [x, part] : rowAt(y)) {
+    for (const auto& [x, part] : inRow.goTo(y)) {
       if (x > end) addGap({end, y, x, y + 1}, gaps);
       if (x < end && overlapping.size() < kMostComplaints &&
           overlapping.insert({reaching, part}).second) {
@@ -239,15 +246,15 @@ void checkSamePicture(const Parts& parts, std::vector<std::string>& mistakes) {
   }
 }
 
-/// `parts` cover the picture, in the order that rowsOf wants. A TGA needs no more than a row in
+/// `parts` cover the picture, in the order that PartsInRow wants. A TGA needs no more than a row in
 /// memory.
 void write(const Parts& parts, const std::string& path) {
   const int width = parts[0].id.width, height = parts[0].id.height;
-  auto partsAt = rowsOf(parts);
+  PartsInRow inRow(parts);
   Bytes row(3 * std::size_t(width));  // BGR
   std::map<const Part*, OpenFile> files;
   const auto rowAt = [&](int y) -> const Bytes& {
-    for (const auto& [x, part] : partsAt(y)) {
+    for (const auto& [x, part] : inRow.goTo(y)) {
       // Files stay open for the rows to come, until there are too many: then all are closed.
       if (files.size() == kMostOpen && files.count(part) == 0) files.clear();
       const OpenFile& file = files.try_emplace(part, part->path).first->second;
